@@ -283,6 +283,8 @@ TEST(Urdf, RefusesWhatIsNoUrdf) {
   EXPECT_THAT(read("<robot name=\"x\"><!-- from <xacro:arm/>, xacro:a --><link name=\"a\"/></robot>").problems,
               IsEmpty());
   EXPECT_THAT(only_problem("<robot name=\"x\"/>"), HasSubstr("has no <link>"));
+  EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\"/></robot>\nlink<!-- -->"),
+              HasSubstr("words stand beside the outermost element"));
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_THAT(only_problem(deep), HasSubstr("is no whole XML document"));

@@ -286,7 +286,7 @@ ReadRobot read_robot(const RobotText& text, File& file) {
   read_bodies(document, classes, file);
   set_base(file, text.base);
   if (read.problems.empty()) read.robot = RobotMaker(document, classes, file).make();
-  note_base(file, file.remarks);
+  if (text.base == RobotBase::as_written) note_base(file, file.remarks);  // else it was asked for
   read.remarks = std::move(file.remarks);
   return read;
 }

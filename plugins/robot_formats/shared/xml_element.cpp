@@ -44,6 +44,12 @@ std::string without_late_declarations(std::string text) {
   return text;
 }
 
+int line_beside_root(const tinyxml2::XMLDocument& document) {
+  for (const tinyxml2::XMLNode* node = document.FirstChild(); node; node = node->NextSibling())
+    if (node->ToText()) return node->GetLineNum();
+  return 0;
+}
+
 std::optional<XmlElement> XmlElement::child(const char* name) const {
   const tinyxml2::XMLElement* found = element_->FirstChildElement(name);
   return found ? std::optional(XmlElement(*found, *problems_, file_)) : std::nullopt;

@@ -199,7 +199,9 @@ File read_file(const std::string& text) {
     return file;
   }
   const tinyxml2::XMLElement* root = document.RootElement();
-  if (root != nullptr && is_xacro(*root))
+  if (const int line = robot_files::line_beside_root(document); line > 0)
+    file.problems.push_back({line, "words stand beside the outermost element; remove them"});
+  else if (root != nullptr && is_xacro(*root))
     file.problems.push_back(
         {0, "is a xacro file, which describes how to make a URDF; make it with xacro FILE > robot.urdf"});
   else if (root == nullptr || std::string_view(root->Name()) != "robot")
