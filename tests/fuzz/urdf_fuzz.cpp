@@ -11,7 +11,7 @@ class Urdf : public lacuna::RobotFormat {
   std::string summary() const override { return {}; }
   std::vector<std::string> endings() const override { return {}; }
   lacuna::ReadRobot read(const lacuna::RobotText& file) const override {
-    return lacuna::urdf::robot_of(lacuna::urdf::read_file(file.text), file.base);
+    return lacuna::urdf::robot_of(lacuna::urdf::read_file(file.text, file.base), file.base);
   }
   lacuna::WrittenRobot write(const lacuna::RobotToWrite& robot) const override {
     return lacuna::urdf::write_urdf(robot);

@@ -184,6 +184,28 @@ TEST(Urdf, FloatsOrIsHeldAsAsked) {
   EXPECT_EQ(held.robot.joints[0].parent, kWorld);
 }
 
+/// Many files begin with a link "world" that a fixed joint holds to the first one that weighs.
+TEST(Urdf, FloatsAlsoWhereItsRootIsCalledWorld) {
+  const std::string text =
+      robot(link("world") + link("trunk", kUrdfInertial) + joint("mount", "fixed", "world", "trunk") +
+            link("leg", kUrdfInertial) + joint("hip", "continuous", "trunk", "leg"));
+  const RobotText file{"robot.urdf", text, RobotBase::free, nullptr};
+  const ReadRobot freed = built_catalog().get<RobotFormat>("urdf").read(file);
+  ASSERT_THAT(freed.problems, IsEmpty());
+  ASSERT_EQ(freed.robot.bodies.size(), 2U);
+  EXPECT_EQ(freed.robot.bodies[0].name, "world_body");
+  EXPECT_DOUBLE_EQ(freed.robot.bodies[0].mass, 2.0);
+  EXPECT_EQ(freed.robot.joints.at(1).parent, "world_body") << "the leg hangs on the body, not on the world";
+  EXPECT_TRUE(says(freed, RobotRemarkKind::repaired, "link world moves, and is called world_body"));
+  EXPECT_EQ(read(text).robot.joints.at(0).parent, kWorld);
+  RobotSpec heavier = freed.robot;
+  heavier.bodies[0].mass = 3.0;
+  const WrittenRobot written = built_catalog().get<RobotFormat>("urdf").write({heavier, file, ""});
+  const ReadRobot again =
+      built_catalog().get<RobotFormat>("urdf").read({"robot.urdf", written.text, RobotBase::free, nullptr});
+  EXPECT_DOUBLE_EQ(again.robot.bodies.at(0).mass, 3.0);
+}
+
 /// What several links have together is changed at the one that the joint moves.
 TEST(Urdf, WritesIntoTheFileThatItRead) {
   const std::string text = robot("<!-- mine -->" + link("base") +

@@ -13,7 +13,9 @@ class Urdf : public RobotFormat {
   std::string summary() const override { return "Robots as ROS describes them (URDF)"; }
   std::vector<std::string> endings() const override { return {".urdf", ".xml"}; }
   bool is_meant(const std::string& text) const override { return robot_files::root_name(text) == "robot"; }
-  ReadRobot read(const RobotText& file) const override { return urdf::robot_of(urdf::read_file(file.text), file.base); }
+  ReadRobot read(const RobotText& file) const override {
+    return urdf::robot_of(urdf::read_file(file.text, file.base), file.base);
+  }
   WrittenRobot write(const RobotToWrite& robot) const override { return urdf::write_urdf(robot); }
 };
 

@@ -2,6 +2,7 @@
 
 #include "xml_element.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -38,12 +39,13 @@ class FileReader {
  public:
   explicit FileReader(File& file) : file_(file) {}
 
-  void read(const tinyxml2::XMLElement& root) {
+  void read(const tinyxml2::XMLElement& root, RobotBase base) {
     const XmlElement robot(root, file_.problems);
     file_.name = named(robot.text_of("name").value_or("robot"), robot.line());
     for (const XmlElement& link : robot.children("link")) read_link(link);
     for (const XmlElement& joint : robot.children("joint")) read_joint(joint);
     take_commands(robot);
+    if (base == RobotBase::free || hangs_on_a_joint(kWorld)) tell_from_world();
     for (const XmlElement& one : robot.children()) note_unread(one);
     for (const auto& [name, line] : unread_)
       remark(RobotRemarkKind::left_out, line, "<" + name + "> has no place in a model");
@@ -60,7 +62,6 @@ class FileReader {
     std::string name = written;
     for (char& c : name)
       if (!is_of_names(c)) c = '_';
-    if (name == kWorld && written_.empty()) return name;
     if (name != written && written_.insert(written).second)
       remark(RobotRemarkKind::repaired, line,
              "\"" + written + "\" is called " + name + ": names have letters, digits, _ and - only");
@@ -174,6 +175,25 @@ class FileReader {
     }
   }
 
+  bool hangs_on_a_joint(const std::string& link) const {
+    return std::any_of(file_.joints.begin(), file_.joints.end(), [&](const Joint& one) { return one.child == link; });
+  }
+
+  /// What is called world stands still; a link of that name that moves is called otherwise.
+  void tell_from_world() {
+    if (!links_.contains(kWorld)) return;
+    std::string name = "world_body";
+    while (links_.contains(name)) name += '_';
+    for (Link& link : file_.links)
+      if (link.name == kWorld) {
+        link.name = name;
+        remark(RobotRemarkKind::repaired, link.line, "link world moves, and is called " + name);
+      }
+    for (Joint& joint : file_.joints)
+      for (std::string* link : {&joint.parent, &joint.child})
+        if (*link == kWorld) *link = name;
+  }
+
   /// One remark a kind of element.
   void note_unread(const XmlElement& element) {
     static const std::set<std::string, std::less<>> kRead = {"link", "joint", "material", "ros2_control",
@@ -188,7 +208,7 @@ class FileReader {
 
 }  // namespace
 
-File read_file(const std::string& text) {
+File read_file(const std::string& text, RobotBase base) {
   File file;
   tinyxml2::XMLDocument document;
   const std::string readable = robot_files::without_late_declarations(text);
@@ -207,7 +227,7 @@ File read_file(const std::string& text) {
   else if (root == nullptr || std::string_view(root->Name()) != "robot")
     file.problems.push_back({root ? root->GetLineNum() : 0, "is no URDF: its root is not <robot>"});
   else
-    FileReader(file).read(*root);
+    FileReader(file).read(*root, base);
   return file;
 }
 

@@ -54,7 +54,8 @@ struct File {
   std::vector<RobotFileProblem> problems;
 };
 
-/// Names of links and joints become names of the program: letters, digits, _ and -.
-File read_file(const std::string& text);
+/// Names of links and joints become names of the program: letters, digits, _ and -. A link "world" that moves, as it
+/// does at the root where the base is free, gets another name.
+File read_file(const std::string& text, RobotBase base);
 
 }  // namespace lacuna::urdf

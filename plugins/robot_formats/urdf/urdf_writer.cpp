@@ -120,7 +120,7 @@ WrittenRobot write_urdf(const RobotToWrite& robot) {
     written.text = text_of(document, robot.comment);
     return written;
   }
-  const File file = read_file(robot.original->text);
+  const File file = read_file(robot.original->text, robot.original->base);
   const ReadRobot read = robot_of(file, robot.original->base);
   written.problems = read.problems;
   if (!written.problems.empty()) return written;
