@@ -1,8 +1,10 @@
 #include "config/experiment_schema.h"
 
 #include "config/path_variables.h"
+#include "foundation/problem.h"
 #include "foundation/unit.h"
 
+#include <algorithm>
 #include <limits>
 #include <tuple>
 
@@ -113,11 +115,30 @@ Table<ProcessSource> process_keys() {
 
 namespace {
 
+using KeysOfKinds = std::vector<std::pair<std::string, Shape>>;
+
+/// A target of a plugin that did not come with the program has none of the keys of the others: where one is there,
+/// the kind is misspelt.
+void check_other_kind(const KeysOfKinds& kinds, const TomlNode& node, Reading& reading, const std::string& other) {
+  std::vector<std::string> names;
+  bool has_their_keys = false;
+  for (const auto& [kind, shape] : kinds) {
+    names.push_back(kind);
+    for (const KeyShape& key : shape.keys) has_their_keys = has_their_keys || node.find(key.name) != nullptr;
+  }
+  if (has_their_keys)
+    reading.problem_at(
+        "kind", node.find("kind")->location,
+        "must be \"recorded\", \"simulated\" or \"process\", but is " + toml_text(other) + did_you_mean(other, names));
+}
+
 /// Of each kind of target the keys that others do not have.
 void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
-  const std::vector<std::pair<std::string, Shape>> kinds = {{"recorded", recording_keys().value().shape},
-                                                            {"simulated", simulated_keys().value().shape},
-                                                            {"process", process_keys().value().shape}};
+  const KeysOfKinds kinds = {{"recorded", recording_keys().value().shape},
+                             {"simulated", simulated_keys().value().shape},
+                             {"process", process_keys().value().shape}};
+  const auto is_its_own = [&](const auto& kind) { return kind.first == target.kind; };
+  if (std::none_of(kinds.begin(), kinds.end(), is_its_own)) return check_other_kind(kinds, node, reading, target.kind);
   for (const auto& [kind, shape] : kinds)
     for (const KeyShape& key : shape.keys) {
       const TomlNode* found = kind == target.kind ? nullptr : node.find(key.name);
@@ -144,9 +165,10 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
 
 Table<TargetSection> target_keys() {
   return Table<TargetSection>()
-      .key("kind", &TargetSection::kind, text_of({"recorded", "simulated", "process"}),
-           "what the target is: measured files, a robot that is simulated with values hidden from the search, or a "
-           "program of its own, such as a rig's driver or another simulator")
+      .key("kind", &TargetSection::kind, element_name(),
+           "what the target is: recorded, measured files; simulated, a robot with values hidden from the search; "
+           "process, a program of its own, such as a rig's driver or another simulator; or a target plugin's name, "
+           "which takes no further key")
       .merged(&TargetSection::recording, recording_keys())
       .merged(&TargetSection::simulated, simulated_keys())
       .merged(&TargetSection::process, process_keys())

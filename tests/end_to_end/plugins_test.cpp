@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 
 namespace lacuna {
 namespace {
@@ -47,6 +49,18 @@ TEST(PluginsList, HasOneKindWhereItIsAskedFor) {
   const nlohmann::json listed = nlohmann::json::parse(outcome.output);
   EXPECT_FALSE(listed.at("components").empty());
   for (const nlohmann::json& component : listed.at("components")) EXPECT_EQ(component.at("kind"), "search");
+}
+
+TEST(TargetOfAPlugin, ThatIsNotThereIsNamedAtItsPlace) {
+  const Program program;
+  program.copy_first_steps();
+  program.write("rig.toml",
+                "[experiment]\nname = \"rig\"\n[target]\nkind = \"simulatd\"\n[model]\n"
+                "file = \"robots/servo-pendulum.toml\"\neffects = []\n");
+  const Outcome outcome = program.run({"check", "rig.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, testing::HasSubstr("rig.toml:4:8: target.kind: there is no target \"simulatd\" (did you "
+                                                 "mean \"simulated\"?)"));
 }
 
 }  // namespace

@@ -44,9 +44,22 @@ void compile_model(Rig& rig) {
   rig.model = compile(rig.definition.structure, rig.definition.engine);  // delays are kept by the step
 }
 
+/// Throws `BadInput` where no plugin is the target that the experiment names.
+void check_target(const Rig& rig) {
+  const std::string& kind = rig.experiment.target.kind;
+  try {
+    rig.catalog->make<TargetSystem>(kind);
+  } catch (const ComponentError&) {
+    throw;
+  } catch (const Error& error) {
+    throw_problem(rig.experiment.where("target.kind"), std::string("target.kind: ") + error.what());
+  }
+}
+
 Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
   Rig rig = define(std::move(experiment), std::move(catalog));
   const std::string& target = rig.experiment.target.kind;
+  check_target(rig);
   check_step_count(rig.experiment, {}, rig.catalog->make<TargetSystem>(target)->takes_tests());
   const PluginRecordingFormats formats(*rig.catalog);
   const RecordingReader reader(
