@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plugin_checks/genome_inputs.h"
 #include "plugins/built_catalog.h"
 
 #include <gtest/gtest.h>
@@ -32,38 +33,10 @@ void on_every(Check&& check) {
   EXPECT_GT(checked, 0) << "there is no " << ComponentKind<Interface>::noun << " in this build";
 }
 
-/// A stream of one number as its key.
-inline RandomStream stream_of(std::uint64_t key) { return RandomStream(std::vector<std::uint64_t>{key}); }
-
 /// Whether a genome is one of the layout's: a value a gene, within its bounds, whole where it must be.
 inline testing::AssertionResult fits(const GenomeLayout& layout, const Genome& genome) {
-  if (genome.size() != layout.size())
-    return testing::AssertionFailure() << genome.size() << " values for " << layout.size() << " genes";
-  for (std::size_t i = 0; i < genome.size(); ++i) {
-    const Gene& gene = layout.genes[i];
-    if (!(genome[i] >= gene.lower && genome[i] <= gene.upper))
-      return testing::AssertionFailure() << gene.name << " = " << genome[i] << " is beyond its bounds";
-    if (gene.kind == GeneKind::integer && genome[i] != std::floor(genome[i]))
-      return testing::AssertionFailure() << gene.name << " = " << genome[i] << " is no whole number";
-  }
-  return testing::AssertionSuccess();
-}
-
-/// Real and whole-number genes of different ranges, one of them of one value only.
-inline GenomeLayout mixed_layout() {
-  GenomeLayout layout;
-  layout.genes = {{"mass", "kg", GeneKind::real, 1.0, 7.0},     {"delay", "s", GeneKind::real, 0.0, 0.2},
-                  {"parent", "1", GeneKind::integer, 0.0, 3.0}, {"offset", "rad", GeneKind::real, -2.0, 2.0},
-                  {"teeth", "1", GeneKind::integer, -5, 20.0},  {"fixed", "m", GeneKind::real, 0.3, 0.3},
-                  {"gain", "1", GeneKind::real, 0.5, 1.5},      {"kind", "1", GeneKind::integer, 0.0, 1.0}};
-  return layout;
-}
-
-/// The same genes in rows of two.
-inline GenomeLayout layout_in_rows() {
-  GenomeLayout layout = mixed_layout();
-  layout.row = 2;
-  return layout;
+  const std::string fault = genome_fault(layout, genome);
+  return fault.empty() ? testing::AssertionSuccess() : testing::AssertionFailure() << fault;
 }
 
 }  // namespace lacuna

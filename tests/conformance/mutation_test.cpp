@@ -17,15 +17,6 @@ std::vector<Genome> parents_of(const MutationOperator& mutation, const GenomeLay
   return parents;
 }
 
-/// Five rows of a length and five genes from 0 to 1, as operators know them that were made for robots' shapes.
-GenomeLayout shape_layout() {
-  GenomeLayout layout;
-  for (int i = 0; i < 30; ++i) layout.genes.push_back({"gene" + std::to_string(i), "1", GeneKind::real, 0.0, 1.0});
-  for (std::size_t i = 2; i < 30; i += 6) layout.genes[i] = {layout.genes[i].name, "m", GeneKind::real, 0.1, 2.0};
-  layout.row = 6;
-  return layout;
-}
-
 /// An operator that was made for one encoding refuses other layouts by an `Error`.
 bool takes(const MutationOperator& mutation, const GenomeLayout& layout) {
   RandomStream random = stream_of(1);

@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
+#include "app/workspace/checked_plugin.h"
 #include "app/workspace/component_details.h"
 #include "app/workspace/new_effect.h"
 #include "foundation/problem.h"
@@ -117,6 +118,7 @@ void add_plugins_command(CLI::App& program) {
   add_plugins_options(*show, options->common);
   show->callback([options] { show_plugin(*options); });
   add_new_effect_command(*plugins);
+  add_check_plugin_command(*plugins);
 }
 
 }  // namespace lacuna

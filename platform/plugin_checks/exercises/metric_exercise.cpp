@@ -1,0 +1,124 @@
+#include "plugin_checks/exercises/exercises.h"
+
+#include <lacuna/error.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kComparedSamples = 300, kComparedChannels = 3;
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+constexpr double kRounding = 1e-12;  // share of a score
+
+struct ComparedSample {
+  std::vector<double> predicted, measured;
+};
+
+/// Sine waves that agree better and better, with gaps in what is measured.
+std::vector<ComparedSample> comparison() {
+  std::vector<ComparedSample> all;
+  for (std::size_t i = 0; i < kComparedSamples; ++i) {
+    ComparedSample sample;
+    for (std::size_t c = 0; c < kComparedChannels; ++c) {
+      const double t = 0.05 * static_cast<double>(i) + static_cast<double>(c);
+      sample.predicted.push_back(std::sin(t));
+      sample.measured.push_back((i + c) % 7 == 0 ? kNotMeasured : std::sin(1.02 * t) + 0.3 / (1.0 + t));
+    }
+    all.push_back(sample);
+  }
+  return all;
+}
+
+class MetricExercise : public Exercise {
+ public:
+  explicit MetricExercise(const FitnessMetric& metric) : metric_(metric) {}
+
+  ParameterDeclarations declared() const override { return metric_.parameters(); }
+
+  void go(const Setting& setting, Transcript& transcript) const override {
+    const std::unique_ptr<ScoreAccumulator> sums = accumulator(setting);
+    transcript.add("bound", sums->bound());
+    for (const ComparedSample& sample : samples_) {
+      sums->add(sample.predicted, sample.measured);
+      transcript.add("bound", sums->bound());
+    }
+    transcript.add("score", sums->score());
+  }
+
+  std::vector<std::string> broken_promises() const override {
+    std::vector<std::string> broken;
+    const Setting setting = settings().front();
+    const auto expect = [&](bool kept, const char* sentence) {
+      if (!kept) broken.emplace_back(sentence);
+    };
+    const std::unique_ptr<ScoreAccumulator> sums = accumulator(setting);
+    expect(bounds_hold(*sums), "bound() falls, or is above the final score; it is the smallest score still possible");
+    const double score = sums->score();
+    sums->reset();
+    expect(score_of(*sums, samples_) == score, "after reset() the same samples score otherwise; let it forget all");
+    std::vector<ComparedSample> other = samples_, worse = samples_, broken_off = samples_;
+    for (ComparedSample& sample : other)
+      for (std::size_t c = 0; c < kComparedChannels; ++c)
+        if (std::isnan(sample.measured[c])) sample.predicted[c] = 1e6;
+    for (ComparedSample& sample : worse)
+      for (double& value : sample.predicted) value += 5.0;
+    broken_off[kComparedSamples / 2].predicted.assign(kComparedChannels, kNotMeasured);
+    expect(score_of(*accumulator(setting), other) == score,
+           "predictions change the score where nothing was measured; skip values whose `measured` is NaN");
+    expect(score_of(*accumulator(setting), worse) > score,
+           "a prediction that is off by 5 more scores no worse; larger scores are worse");
+    expect(score_of(*accumulator(setting), broken_off) == std::numeric_limits<double>::infinity(),
+           "a prediction that is no number does not score infinity; make such a score infinite, or a model that breaks "
+           "down may win");
+    return broken;
+  }
+
+  std::vector<RepeatedCall> repeated_calls() const override {
+    const std::unique_ptr<ScoreAccumulator> sums = accumulator(settings().front());
+    std::size_t next = 0;
+    return {repeated_call(
+        "add", false, static_cast<int>(kComparedSamples),
+        [&] {
+          const ComparedSample& sample = samples_[next++ % kComparedSamples];
+          sums->add(sample.predicted, sample.measured);
+        },
+        [&] { sums->reset(); })};
+  }
+
+ private:
+  std::unique_ptr<ScoreAccumulator> accumulator(const Setting& setting) const {
+    std::unique_ptr<ScoreAccumulator> made = metric_.accumulator({2, kComparedSamples, kComparedChannels}, setting);
+    if (made == nullptr) throw Error("accumulator returned nothing; return a new accumulator");
+    return made;
+  }
+  static double score_of(ScoreAccumulator& sums, const std::vector<ComparedSample>& samples) {
+    for (const ComparedSample& sample : samples) sums.add(sample.predicted, sample.measured);
+    return sums.score();
+  }
+  bool bounds_hold(ScoreAccumulator& sums) const {
+    bool rise = true;
+    double last = sums.bound();
+    for (const ComparedSample& sample : samples_) {
+      sums.add(sample.predicted, sample.measured);
+      rise = rise && sums.bound() >= last;
+      last = sums.bound();
+    }
+    return rise && last <= sums.score() * (1.0 + kRounding);
+  }
+
+  const FitnessMetric& metric_;
+  const std::vector<ComparedSample> samples_ = comparison();
+};
+
+}  // namespace
+
+std::unique_ptr<Exercise> exercise_of(const FitnessMetric& metric, const ExerciseInputs&) {
+  return std::make_unique<MetricExercise>(metric);
+}
+
+}  // namespace lacuna
