@@ -27,3 +27,26 @@ function(lacuna_add_plugin name)
     install(TARGETS ${name} LIBRARY DESTINATION lib/lacuna/plugins)
   endif()
 endfunction()
+
+# After `enable_testing()`:
+#
+#   lacuna_test_plugin(propeller_drag)
+#
+# makes a test of ctest, propeller_drag_conformance: what `lacuna plugins check` tells of the library. SAMPLE names a
+# file of the format that the plugin reads, in the source folder; with CARRY_OUT a target carries a test out, by which a
+# rig moves.
+function(lacuna_test_plugin name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "CARRY_OUT" "SAMPLE" "")
+  set(program ${LACUNA_PROGRAM})
+  if(TARGET lacuna)  # in Lacuna's own build
+    set(program $<TARGET_FILE:lacuna>)
+  endif()
+  set(options "")
+  if(ARG_SAMPLE)
+    list(APPEND options --sample ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_SAMPLE})
+  endif()
+  if(ARG_CARRY_OUT)
+    list(APPEND options --carry-out)
+  endif()
+  add_test(NAME ${name}_conformance COMMAND ${program} plugins check $<TARGET_FILE:${name}> ${options})
+endfunction()

@@ -111,23 +111,12 @@ std::string literal(double number) {
   return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-/// water_drag as WaterDrag.
-std::string camel(const std::string& name) {
-  std::string result;
-  bool begins = true;
-  for (const char c : name) {
-    if (c != '_') result += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    begins = c == '_';
-  }
-  return result;
-}
-
 /// The constant in the source that is the index of each parameter.
 std::map<std::string, std::string> enumerators_of(const ForceLaw& law) {
   std::map<std::string, std::string> names;
   std::set<std::string> taken;
   for (const LawParameter& parameter : law.parameters) {
-    std::string name = "k" + camel(parameter.name);
+    std::string name = "k" + camel_case(parameter.name);
     while (!taken.insert(name).second) name += "X";
     names[parameter.name] = name;
   }
@@ -245,9 +234,19 @@ std::string filled(std::string text, const std::map<std::string, std::string>& w
   return text;
 }
 
+std::string camel_case(const std::string& name) {
+  std::string result;
+  bool begins = true;
+  for (const char c : name) {
+    if (c != '_') result += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = c == '_';
+  }
+  return result;
+}
+
 std::string effect_source(const std::string& name, const ForceLaw& law) {
   const bool u = law.uses_command;
-  const std::string type = camel(name) + "Law";
+  const std::string type = camel_case(name) + "Law";
   std::string text = filled(kSource, {{"FUNCTIONS", functions_of(law)},
                                       {"HOOKS", u ? kActuatorHooks : kJointHooks},
                                       {"STEP", u ? kActuatorStep : kJointStep}});  // these hold further marks
@@ -272,8 +271,10 @@ std::string effect_project(const std::string& name) {
     set(CMAKE_BUILD_TYPE Release)
   endif()
   find_package(lacuna 0.1 REQUIRED)
+  enable_testing()
 endif()
 lacuna_add_plugin(@NAME@ @NAME@.cpp)
+lacuna_test_plugin(@NAME@)
 )",
                 {{"NAME", name}});
 }

@@ -13,10 +13,13 @@ namespace lacuna {
 
 /// `NAME.cpp`.
 std::string effect_source(const std::string& name, const ForceLaw& law);
-/// `CMakeLists.txt`.
+/// `CMakeLists.txt`; in a project of its own `ctest` runs what `lacuna plugins check` tells.
 std::string effect_project(const std::string& name);
 /// `README.md`, with the table of parameters and a snippet that runs.
 std::string effect_readme(const std::string& name, const ForceLaw& law);
+
+/// water_drag as WaterDrag.
+std::string camel_case(const std::string& name);
 
 /// Replaces each @WORD@ of a text by what `with` says of it.
 std::string filled(std::string text, const std::map<std::string, std::string>& with);

@@ -51,6 +51,38 @@ TEST(PluginsList, HasOneKindWhereItIsAskedFor) {
   for (const nlohmann::json& component : listed.at("components")) EXPECT_EQ(component.at("kind"), "search");
 }
 
+TEST(PluginsNew, RefusesWhatCannotBeANameWithASentence) {
+  const std::map<std::string, std::string> sentences = {
+      {"metric Water-Drag", "\"Water-Drag\" is no name of a plugin; write small letters, digits and _"},
+      {"metric 2nd", "is no name of a plugin"},
+      {"robot " + std::string(101, 'a'), "the name has 101 letters; 100 are the most"},
+      {"search test", "test is a target of every CMake project"},
+      {"search all_plugins", "or of Lacuna's; choose another name"},
+      {"metric mean_absolute_difference", "metric mean_absolute_difference is there already, in "},
+      {"recording-format csv", "files that end with .csv are read by Lacuna itself"},
+      {"robot-format toml", "files that end with .toml are read by Lacuna itself"}};
+  const Program program;
+  for (const auto& [words, sentence] : sentences) {
+    const Outcome outcome = program.shell("lacuna plugins new " + words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_THAT(outcome.errors, testing::HasSubstr(sentence)) << words;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(program.folder()));
+}
+
+TEST(PluginsNew, OverwritesNothing) {
+  const Program program;
+  ASSERT_EQ(program.shell("lacuna plugins new robot rod --into mine").exit_code, 0);
+  program.write("mine/rod/rod.cpp", "my own work\n");
+  program.write("file", "mine\n");
+  for (const char* words : {"robot rod --into mine", "metric file"}) {
+    const Outcome outcome = program.shell(std::string("lacuna plugins new ") + words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("is there already and is not overwritten")) << words;
+  }
+  EXPECT_EQ(program.read("mine/rod/rod.cpp"), "my own work\n");
+}
+
 TEST(TargetOfAPlugin, ThatIsNotThereIsNamedAtItsPlace) {
   const Program program;
   program.copy_first_steps();

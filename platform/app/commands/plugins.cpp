@@ -3,7 +3,7 @@
 #include "app/terminal/output.h"
 #include "app/workspace/checked_plugin.h"
 #include "app/workspace/component_details.h"
-#include "app/workspace/new_effect.h"
+#include "app/workspace/new_plugin.h"
 #include "foundation/problem.h"
 #include "loading/component_kinds.h"
 #include "loading/plugin_catalog.h"
@@ -117,7 +117,7 @@ void add_plugins_command(CLI::App& program) {
   show->add_flag("--verbose", options->verbose, "With its file, digest and build");
   add_plugins_options(*show, options->common);
   show->callback([options] { show_plugin(*options); });
-  add_new_effect_command(*plugins);
+  add_new_plugin_command(*plugins);
   add_check_plugin_command(*plugins);
 }
 

@@ -6,7 +6,7 @@ class App;
 
 namespace lacuna {
 
-/// Adds `new effect` to the command `plugins`: it writes the folder of a plugin from a formula.
-void add_new_effect_command(CLI::App& plugins);
+/// Adds `effect` to the command `plugins new`: it writes the folder of a plugin from a formula.
+void add_new_effect_command(CLI::App& made);
 
 }  // namespace lacuna

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace lacuna {
+
+/// The files of the folder drafts/, which travel inside the program: text by name, without ".in".
+const std::map<std::string, std::string>& draft_texts();
+
+}  // namespace lacuna

@@ -1,0 +1,69 @@
+#include "plugin_drafts/plugin_draft.h"
+
+#include "formula/effect_source.h"
+#include "plugin_drafts/draft_texts.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+const DraftKind& kind_of(const std::string& noun) {
+  const std::vector<DraftKind>& kinds = draft_kinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const DraftKind& kind) { return kind.noun == noun; });
+  if (found == kinds.end()) throw Error("there is no draft of a plugin of the kind \"" + noun + "\"");
+  return *found;
+}
+
+/// "robot format" as the files of its draft are called.
+std::string file_word(std::string noun) {
+  std::replace(noun.begin(), noun.end(), ' ', '_');
+  return noun;
+}
+
+}  // namespace
+
+const std::vector<DraftKind>& draft_kinds() {
+  static const std::vector<DraftKind> all = {
+      {"metric", "the root mean square of predicted - measured", "`[estimation] metric = \"@NAME@\"`"},
+      {"model encoding", "one gene a free parameter, its share of the search range", "`[model] encoding = \"@NAME@\"`"},
+      {"mutation", "moves one gene, reflected at its bounds", "`[[estimation.mutation]] operator = \"@NAME@\"`"},
+      {"objective metric", "the largest error of a value, as a share of its search range",
+       "`[estimation] objective = \"@NAME@\"`"},
+      {"recording format", "columns of numbers with spaces between them",
+       "`[target] files = [\"run.@NAME@\"]`, as `sample.@NAME@` is one"},
+      {"robot", "a rod on a hinge, driven by a motor", "`[model] robot = \"@NAME@\"`"},
+      {"robot format", "a chain of rods, one a line", "`[model] file = \"arm.@NAME@\"`, as `sample.@NAME@` is one"},
+      {"search", "keeps the best individuals and tries their children", "`[estimation] search = \"@NAME@\"`"},
+      {"target", "a pendulum with dry friction, computed by the plugin", "`[target] kind = \"@NAME@\"`"},
+      {"test encoding", "constant commands, one level after another", "`[test] encoding = \"@NAME@\"`"},
+      {"test fitness", "how much a test moves the readings of the best model", "`[exploration] fitness = \"@NAME@\"`"}};
+  return all;
+}
+
+std::map<std::string, std::string> plugin_draft(const std::string& noun, const std::string& name) {
+  const DraftKind& kind = kind_of(noun);
+  const std::map<std::string, std::string>& texts = draft_texts();
+  const std::string word = file_word(noun);
+  const auto sample = texts.find(word + ".sample");
+  const std::string sample_name = "sample." + name;
+  const std::map<std::string, std::string> words = {
+      {"CLASS", camel_case(name) + "Plugin"},
+      {"DOES", kind.does},
+      {"KIND", noun},
+      {"NAME", name},
+      {"OPTIONS", noun == "target"        ? " CARRY_OUT"
+                  : sample == texts.end() ? ""
+                                          : " SAMPLE " + sample_name},
+      {"USE", filled(kind.use, {{"NAME", name}})},
+  };
+  std::map<std::string, std::string> files;
+  for (const char* common : {"CMakeLists.txt", "README.md"}) files[common] = filled(texts.at(common), words);
+  files[name + ".cpp"] = filled(texts.at(word + ".cpp"), words);
+  if (sample != texts.end()) files[sample_name] = sample->second;
+  return files;
+}
+
+}  // namespace lacuna
