@@ -36,6 +36,14 @@ INSTANTIATE_TEST_SUITE_P(Guides, Guide,
                            return std::regex_replace(path.substr(begin, path.rfind('.') - begin), std::regex("-"), "_");
                          });
 
+/// One compilation, against an installation.
+TEST(WriteAPlugin, PrintsWhatItSays) {
+  Program program;
+  const Outcome installed = program.install("lacuna");
+  ASSERT_EQ(installed.exit_code, 0) << installed.errors;
+  follow_guide("docs/how-to/write-a-plugin.md", program);
+}
+
 /// The tutorial's commands are run above; README shows some of them, and of their output what matters most.
 TEST(Readme, ShowsWhatTheTutorialShows) {
   const std::vector<GuideStep> tutorial = guide_steps(source_file("docs/tutorials/find-the-missing-effect.md"));
