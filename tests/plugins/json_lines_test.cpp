@@ -57,6 +57,10 @@ TEST_F(JsonLines, TakeNullAndNanForMissing) {
   EXPECT_THAT(format_.column(run, "q"), ElementsAre(1.0, IsNan(), IsNan(), -std::numeric_limits<double>::infinity()));
 }
 
+TEST_F(JsonLines, HaveNoColumnWithoutAName) {
+  EXPECT_THAT(format_.columns(file("{\"\": 1, \"q\": 2, \"a\": {\"\": 3}}\n")), ElementsAre("q", "a."));
+}
+
 TEST_F(JsonLines, ReadNamesWithEscapes) {
   EXPECT_THAT(format_.columns(file(R"({"a\"b\u00e9\ud83d\ude00\\": 1})"
                                    "\n")),

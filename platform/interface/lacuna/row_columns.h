@@ -16,14 +16,14 @@
 
 namespace lacuna {
 
-/// The columns of a table as they are met, each once, in that order.
+/// The columns of a table as they are met, each once, in that order. What has no name cannot be asked for and is none.
 class ColumnNames {
  public:
   static constexpr std::size_t kMostColumns = 4096;
 
   /// False: there are too many already.
   bool add(std::string_view name, std::string_view unit = {}) {
-    if (known_.contains(std::string(name))) return true;
+    if (name.empty() || known_.contains(std::string(name))) return true;
     if (columns_.size() == kMostColumns) return false;
     known_.emplace(name);
     columns_.push_back({std::string(name), std::string(unit)});
