@@ -200,7 +200,7 @@ TEST(Mjcf, TellsAllProblemsAtTheirLines) {
 }
 
 TEST(Mjcf, RefusesWhatIsNoMjcf) {
-  EXPECT_THAT(only_mjcf_problem("<mujoco/>\nbody<!-- -->"), HasSubstr("words stand beside the outermost element"));
+  EXPECT_THAT(only_mjcf_problem("<mujoco/>\nbody<!-- -->"), HasSubstr("words stand behind the outermost element"));
   EXPECT_THAT(only_mjcf_problem("<robot/>"), HasSubstr("its root is not <mujoco>"));
   EXPECT_THAT(only_mjcf_problem("<mujoco>"), HasSubstr("is no whole XML document"));
   EXPECT_THAT(only_mjcf_problem(""), HasSubstr("is no whole XML document"));

@@ -306,7 +306,7 @@ TEST(Urdf, RefusesWhatIsNoUrdf) {
               IsEmpty());
   EXPECT_THAT(only_problem("<robot name=\"x\"/>"), HasSubstr("has no <link>"));
   EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\"/></robot>\nlink<!-- -->"),
-              HasSubstr("words stand beside the outermost element"));
+              HasSubstr("words stand behind the outermost element"));
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_THAT(only_problem(deep), HasSubstr("is no whole XML document"));

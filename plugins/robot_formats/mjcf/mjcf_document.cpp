@@ -28,8 +28,8 @@ const tinyxml2::XMLElement* Document::parse(const std::string& text, const std::
   part.name = name;
   const std::string readable = robot_files::without_late_declarations(text);
   part.xml.Parse(readable.data(), readable.size());
-  if (const int line = robot_files::line_beside_root(part.xml); !part.xml.Error() && line > 0) {
-    problems_.push_back({line, "words stand beside the outermost element; remove them", name});
+  if (const int line = robot_files::line_behind_root(part.xml); !part.xml.Error() && line > 0) {
+    problems_.push_back({line, "words stand behind the outermost element; remove them", name});
     return nullptr;
   }
   if (!part.xml.Error() && part.xml.RootElement() != nullptr) return part.xml.RootElement();

@@ -44,10 +44,10 @@ std::string without_late_declarations(std::string text) {
   return text;
 }
 
-int line_beside_root(const tinyxml2::XMLDocument& document) {
-  for (const tinyxml2::XMLNode* node = document.FirstChild(); node; node = node->NextSibling())
-    if (node->ToText()) return node->GetLineNum();
-  return 0;
+int line_behind_root(const tinyxml2::XMLDocument& document) {
+  const tinyxml2::XMLNode* node = document.RootElement();
+  while (node && !node->ToText()) node = node->NextSibling();
+  return node ? node->GetLineNum() : 0;
 }
 
 std::optional<XmlElement> XmlElement::child(const char* name) const {

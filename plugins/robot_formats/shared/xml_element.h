@@ -21,8 +21,8 @@ std::string_view root_name(std::string_view text);
 /// blanks keep the lines.
 std::string without_late_declarations(std::string text);
 
-/// The line of words that stand beside the outermost element of a document, where none may stand; 0: there are none.
-int line_beside_root(const tinyxml2::XMLDocument& document);
+/// The line of words that stand behind the outermost element of a document, where none may stand; 0: there are none.
+int line_behind_root(const tinyxml2::XMLDocument& document);
 
 /// An element of a document, whose attributes are read strictly: what is no number is a problem, not 0.
 class XmlElement {

@@ -219,8 +219,8 @@ File read_file(const std::string& text, RobotBase base) {
     return file;
   }
   const tinyxml2::XMLElement* root = document.RootElement();
-  if (const int line = robot_files::line_beside_root(document); line > 0)
-    file.problems.push_back({line, "words stand beside the outermost element; remove them"});
+  if (const int line = robot_files::line_behind_root(document); line > 0)
+    file.problems.push_back({line, "words stand behind the outermost element; remove them"});
   else if (root != nullptr && is_xacro(*root))
     file.problems.push_back(
         {0, "is a xacro file, which describes how to make a URDF; make it with xacro FILE > robot.urdf"});
