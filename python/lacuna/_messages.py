@@ -9,9 +9,6 @@ from typing import Any, Optional, Union
 from .errors import Problem
 from .progress import Progress
 
-Failure = str
-Message = Union[Progress, Problem]
-
 
 def read_line(line: str) -> tuple[str, Union[Progress, Problem, str]]:
     """The kind of a line, ``progress``, ``problem``, ``failure`` or ``note``, with what it says."""

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any, Optional, Union
 
 from ._arguments import Names, Paths, file_argument, listed, option, path_list, repeated
-from ._session import Session, decoded
+from ._commands import ExperimentCommands, decoded
 from .draft import Draft
 from .errors import BadInputError
 from .program import PathLike, Program
@@ -16,7 +16,7 @@ from .progress import ProgressCallback
 from .results import Change, CommandTable, Comparison, Diagnosis, Export, Fit, History, Prediction, Trial
 
 
-class Experiment(Session):
+class Experiment(ExperimentCommands):
     """An experiment file (TOML) with the commands of ``lacuna`` as methods.
 
     Nothing is read before a method is called. Commands run in the folder that was the current one when the object was

@@ -193,7 +193,7 @@ class Program:
     def _start(self, command: tuple[str, ...], folder: Optional[PathLike]) -> subprocess.Popen[bytes]:
         environment = {**os.environ, "LACUNA_MESSAGES": "json"}
         try:
-            # A session of its own: Ctrl-C on the terminal comes to Python alone, which passes it on once.
+            # A process group of its own: Ctrl-C on the terminal comes to Python alone, which passes it on once.
             return subprocess.Popen(
                 command,
                 stdin=subprocess.DEVNULL,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import tempfile
@@ -19,6 +20,12 @@ NOTEBOOK = HOW_TO / "find-the-missing-effect.ipynb"
 
 
 class GuidesTest(WithRig):
+    def setUp(self) -> None:
+        for name in ("numpy", "pandas"):
+            if importlib.util.find_spec(name) is None:
+                self.skipTest(f"{name} is not installed (Debian: python3-{name})")
+        super().setUp()
+
     def follow(self, cells: list[Cell]) -> None:
         names: dict[str, Any] = {"__name__": "__main__"}
         with mock.patch.dict(os.environ, {"COLUMNS": "80"}):

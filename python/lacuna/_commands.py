@@ -21,7 +21,7 @@ T = TypeVar("T")
 STOPPED = 75
 
 
-class Session:
+class ExperimentCommands:
     """The program, a folder, an experiment file in it, and options. `Experiment` describes the parameters.
 
     Attributes
