@@ -125,8 +125,40 @@ Table<ColumnMapping> column_keys() {
 
 enum class Kept { glitches, repeats };
 
+Value<std::array<double, 2>> point_of_track() {
+  return mapped<std::array<double, 2>, std::vector<double>>(list_of(number("m")), [](std::vector<double>&& read) {
+    read.resize(2);
+    return std::array<double, 2>{read[0], read[1]};
+  });
+}
+
+/// x and y of a tracked point.
+Table<ColumnMapping> track_keys() {
+  return column_keys()
+      .key<std::string>(
+          "y", text(), {}, [](ColumnMapping& mapping, std::string&& read) { mapping.track.other = std::move(read); },
+          "the column is x of a point that a video was searched for, and this is the column of y, in the same unit: of "
+          "a sensor of an angle they give the angle that the point is seen at from pivot, from x towards y; of a "
+          "sensor "
+          "of a length its distance from there")
+      .key<std::array<double, 2>>(
+          "pivot", point_of_track(), {{0.0, 0.0}},
+          [](ColumnMapping& mapping, std::array<double, 2>&& read) { mapping.track.pivot = read; },
+          "with y: x and y of the joint")
+      .key<double>(
+          "zero", number("rad"), 0.0, [](ColumnMapping& mapping, double&& read) { mapping.track.zero = read; },
+          "with y: where the angle is zero, from x towards y; \"-90 deg\": hanging down, with y up")
+      .check({"pivot", "zero"}, [](const TomlNode& node, Reading& reading, ColumnMapping& mapping) {
+        if (const TomlNode* pivot = node.find("pivot"); pivot && pivot->items.size() != 2)
+          reading.problem_at("pivot", pivot->location, "is x and y of the joint, as in [\"0.1 m\", \"0.42 m\"]");
+        for (const char* key : {"pivot", "zero"})
+          if (const TomlNode* one = node.find(key); one && mapping.track.other.empty())
+            reading.problem_at(key, one->location, "needs y, the column that makes a point of this one");
+      });
+}
+
 Table<ColumnMapping> sensor_column_keys() {
-  return column_keys().key<std::vector<Kept>>(
+  return track_keys().key<std::vector<Kept>>(
       "keep", list_of(choice<Kept>({{"glitches", Kept::glitches}, {"repeats", Kept::repeats}})), {},
       [](ColumnMapping& mapping, std::vector<Kept>&& kept) {
         for (const Kept one : kept) (one == Kept::glitches ? mapping.keeps_glitches : mapping.keeps_repeats) = true;

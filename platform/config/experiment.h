@@ -44,6 +44,7 @@ struct ModelSection {
   std::vector<std::filesystem::path> parts;            ///< files that it includes, once a format has read it
   RobotBase base = RobotBase::as_written;              ///< of a file of another format
   std::vector<std::string> held;                       ///< patterns of joints that do not move: "joint.finger_*"
+  std::map<std::string, ActuatorKind> drive;           ///< pattern of actuators ("actuator.*") → what they take
   std::map<std::string, SourceLocation> robot_places;  ///< where its keys stand: "body.arm.mass"
   std::map<std::string, double> set;                   ///< address pattern → value, fixed
   std::vector<FreeRange> free;                         ///< of a target: what is hidden, drawn uniformly

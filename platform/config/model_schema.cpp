@@ -104,6 +104,13 @@ Table<ModelSection> system_keys(const std::string& whose) {
            kind +
                "joints of the file that stand still at position zero, such as \"joint.finger_*\"; their actuators and "
                "sensors are left out")
+      .key("actuator_kinds", &ModelSection::drive,
+           map_of("ACTUATOR", choice<ActuatorKind>({{"force", ActuatorKind::force},
+                                                    {"position_servo", ActuatorKind::position_servo},
+                                                    {"velocity_servo", ActuatorKind::velocity_servo}})),
+           kind +
+               "of a file in URDF or MJCF: what was commanded, where the file says something else or nothing, as in "
+               "{ \"actuator.*\" = \"position_servo\" }")
       .key("set", &ModelSection::set, map_of("ADDRESS", number("").or_infinite()),
            kind + "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
       .key("effects", &ModelSection::effects, list_of((of_model ? model_effect_keys() : effect_keys()).value()),

@@ -164,8 +164,9 @@ Table<MeasuredFile> recorded_file_keys() {
   return Table<MeasuredFile>()
       .required("file", &MeasuredFile::path, existing_file(), "the measured file")
       .key("table", &MeasuredFile::table, text(0),
-           "of a file that has several, such as the topics of a bag: the one whose times the trial has; empty: that of "
-           "the first sensor's column")
+           "of a file that has several, such as the topics of a bag or the runs of an export (\"Run #2\"): the one "
+           "whose "
+           "times the trial has; empty: that of the first sensor's column")
       .key("with", &MeasuredFile::with, list_of(further_file_keys().value()),
            "further files of the same trial, written by other devices at times of their own")
       .key("role", &MeasuredFile::held_out, choice<bool>({{"fit", false}, {"holdout", true}}),

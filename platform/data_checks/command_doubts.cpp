@@ -2,6 +2,7 @@
 
 #include "data_checks/stacked_accelerations.h"
 #include "data_checks/straight_fit.h"
+#include "foundation/address.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -42,8 +45,25 @@ double rms(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(values.size(), 1)));
 }
 
+/// A command that moves its joint less than the model says.
+struct Unfollowed {
+  std::string channel, actuator, should;
+  double percent = 0.0;
+};
+
+/// Whether the command is made of the motion: of the acceleration, of what the model does without commands, and of
+/// friction, which `beside` has in all usual forms. Then it is this joint's, and what it does not accelerate is lost in
+/// friction, or in a rotor, that the model has not yet.
+bool is_explained_by_motion(const StackedAccelerations& data, const Eigen::VectorXd& command) {
+  Eigen::MatrixXd motion(data.beside.rows(), data.beside.cols() + 1);
+  motion << data.measured, data.beside;
+  const Eigen::VectorXd mean = Eigen::VectorXd::Constant(command.size(), command.mean());
+  const double whole = (command - mean).squaredNorm();
+  return whole > 0.0 && straight_fit(motion, command).squares < (1.0 - kExplained) * whole;
+}
+
 void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std::string& actuator,
-                    std::vector<Doubt>& doubts) {
+                    std::vector<Doubt>& doubts, std::vector<Unfollowed>& unfollowed) {
   const Eigen::VectorXd own = data.commanded.col(u);
   Eigen::MatrixXd all(data.beside.rows(), data.beside.cols() + data.commanded.cols());
   all << data.commanded, data.beside;
@@ -67,14 +87,38 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
          fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
                      "units of both columns and the model's inertia",
                      data.channel, times, actuator, unit_guess(times, data.unit))});
-  } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing) {
-    doubts.push_back({Severity::fault,
-                      fmt::format("{} does not follow the command {}: of {} (RMS) that it should make, the file shows "
-                                  "{:.1f} %; check that the column is the command of this joint and its unit",
-                                  data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit),
-                                  100.0 * std::abs(times)),
-                      true});
+  } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing &&
+             !is_explained_by_motion(data, own)) {
+    unfollowed.push_back(
+        {data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit), 100.0 * std::abs(times)});
   }
+}
+
+/// What does not follow commands, in one sentence.
+void doubt_unfollowed(const std::vector<Unfollowed>& unfollowed, std::vector<Doubt>& doubts) {
+  if (unfollowed.empty()) return;
+  const Unfollowed& first = unfollowed.front();
+  std::string text = fmt::format(
+      "{} does not follow the command {}: of {} (RMS) that it should make, the file shows {:.1f} %, and friction does "
+      "not account for the rest",
+      first.channel, first.actuator, first.should, first.percent);
+  for (std::size_t i = 1; i < unfollowed.size(); ++i)
+    text += fmt::format("{}{} by {} ({:.1f} %)", i == 1 ? "; nor does " : ", ", unfollowed[i].channel,
+                        unfollowed[i].actuator, unfollowed[i].percent);
+  doubts.push_back(
+      {Severity::fault, text + "; check that each column is the command of its joint, and its unit", true});
+}
+
+/// Whether the command of an actuator should show in a channel by itself: of a joint that has actuators of its own,
+/// theirs alone. What others add through the links is small beside it and follows from the model's inertias.
+bool drives(const RobotSpec& robot, const ActuatorSpec& actuator, const std::string& channel) {
+  std::string joint;
+  for (const SensorSpec& sensor : robot.sensors)
+    for (const Channel& one : sensor_channels(robot, sensor))
+      if (one.name == channel) joint = sensor.element;
+  const bool has_own =
+      std::ranges::any_of(robot.actuators, [&](const ActuatorSpec& other) { return other.joint == joint; });
+  return !has_own || actuator.joint == joint;
 }
 
 /// In all trials together: a lag of one trial alone is another doubt. What the model leaves with the commands as they
@@ -105,10 +149,13 @@ void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
 std::vector<Doubt> command_doubts(const DoubtTask& task, const AccelerationTable& table, const CommandLags& lags) {
   std::vector<Doubt> doubts;
   const RobotSpec& robot = task.definition.structure.robot;
+  std::vector<Unfollowed> unfollowed;
   for (const StackedAccelerations& data : stacked(table))
     for (std::size_t u = 0; u < robot.actuators.size(); ++u)
-      if (data.commanded.col(static_cast<Eigen::Index>(u)).squaredNorm() > 0.0)
-        doubt_response(data, static_cast<Eigen::Index>(u), robot.actuators[u].name, doubts);
+      if (data.commanded.col(static_cast<Eigen::Index>(u)).squaredNorm() > 0.0 &&
+          drives(robot, robot.actuators[u], data.channel))
+        doubt_response(data, static_cast<Eigen::Index>(u), robot.actuators[u].name, doubts, unfollowed);
+  doubt_unfollowed(unfollowed, doubts);
   doubt_order(lags, doubts);
   return doubts;
 }

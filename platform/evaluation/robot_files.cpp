@@ -2,6 +2,7 @@
 
 #include "evaluation/files_beside.h"
 #include "evaluation/held_joints.h"
+#include "evaluation/joint_drives.h"
 #include "foundation/digest.h"
 #include "foundation/guarded_call.h"
 
@@ -55,8 +56,11 @@ const NamedFormat& format_for(const std::filesystem::path& file, const std::stri
                                              ".urdf and name that");
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
-  throw_problem({file.string(), 0, 0}, fmt::format("is no robot file that can be read: its name ends with none of {}",
-                                                   fmt::join(known, ", ")));
+  throw_problem({file.string(), 0, 0},
+                fmt::format("is no robot file that can be read: its name ends with none of {}; give "
+                            "it the ending of its format (of xacro write: xacro arm.xacro -o "
+                            "arm.urdf), and name recordings in target.files or by --from",
+                            fmt::join(known, ", ")));
 }
 
 const char* word_of(RobotRemarkKind kind) {
@@ -135,6 +139,10 @@ void refuse_base(const Experiment& experiment, const ModelSection& section, cons
   if (section.base != RobotBase::as_written && section.declared && !section.foreign_text)
     problems.add(experiment.where(key + ".base"),
                  "is for robots in URDF or MJCF; in a TOML robot a body floats that is no joint's child");
+  if (!section.drive.empty() && section.declared && !section.foreign_text)
+    problems.add(experiment.where(key + ".actuator_kinds"),
+                 "is for robots in URDF or MJCF; in a TOML robot write the kind of the actuator, as in kind = "
+                 "\"position_servo\"");
 }
 
 }  // namespace
@@ -157,6 +165,9 @@ std::vector<RobotFileNote> read_robot_files(Experiment& experiment, const Plugin
   for (const auto& [section, key] : sections)
     if (section->declared && !section->held.empty())
       hold_joints(*section->declared, experiment, *section, key, problems);
+  for (const auto& [section, key] : sections)
+    if (section->declared && !section->drive.empty())
+      set_drives(*section->declared, experiment, *section, key, problems);
   problems.throw_if_any();
   return notes;
 }

@@ -39,6 +39,29 @@ std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
   return noise;
 }
 
+/// A run that starts anew after a while is judged by what noise alone leaves uncertain of its starts, as a right
+/// model's are: where a model does not even follow the heads, more would excuse all of its error.
+FreeRun with_start_errors(FreeRun run) {
+  if (run.pieces.size() == 1) return run;
+  run.start.axes /= run.start.misfit;
+  for (RunPiece& piece : run.pieces) piece.start.axes /= piece.start.misfit;
+  return run;
+}
+
+double shortest_restart(const StartStates& states, std::size_t trials) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < trials; ++t) shortest = std::min(shortest, states.restart(t));
+  return shortest;
+}
+
+/// Not longer than a run goes on.
+std::vector<double> horizons_up_to(double restart, const ComparisonTask& task) {
+  if (!task.horizons.empty()) return task.horizons;
+  std::vector<double> horizons = usual_horizons(task.trials);
+  std::erase_if(horizons, [&](double horizon) { return horizon > restart; });
+  return horizons;
+}
+
 class Comparer {
  public:
   explicit Comparer(const ComparisonTask& task)
@@ -47,7 +70,8 @@ class Comparer {
         noise_(noise_of(task)),
         predictor_(task.model, task.trials, task.threads),
         states_(task.definition.structure.robot, predictor_, noise_),
-        horizons_(task.horizons.empty() ? usual_horizons(task.trials) : task.horizons) {
+        restart_(shortest_restart(states_, task.trials.size())),
+        horizons_(horizons_up_to(restart_, task)) {
     meter_.set_parts(kParts);
   }
 
@@ -59,6 +83,7 @@ class Comparer {
     score_numerics();
     score_horizons();
     result_.pooled = pool(result_.trials, result_.floors);
+    name_restarts();
     name_unscored();
     name_coarse_steps();
     name_worse_than_written();
@@ -85,7 +110,7 @@ class Comparer {
     from_start_.resize(trials());
     parallel_for(trials(), predictor_.workers(), [&](std::size_t trial, int worker) {
       if (runs[trial].prediction.valid)
-        from_start_[trial] = effect_of_start(predictor_, trial, task_.values, runs[trial], worker);
+        from_start_[trial] = effect_of_start(predictor_, trial, task_.values, with_start_errors(runs[trial]), worker);
     });
     for (const FreeRun& run : runs) {
       const Trial& trial = task_.trials[result_.trials.size()];
@@ -95,6 +120,7 @@ class Comparer {
       comparison.valid = run.prediction.valid;
       comparison.reason = run.prediction.reason;
       comparison.start = run.start.start;
+      comparison.pieces = run.pieces;
       comparison.first_scored = run.first_scored;
       comparison.times = trial.measured.times;
       comparison.measured = trial.measured.samples;
@@ -114,7 +140,7 @@ class Comparer {
   void compute_floors() {
     meter_.begin_part("noise floor");
     std::vector<ScoredStart> starts;
-    for (const TrialComparison& trial : result_.trials) starts.push_back({trial.start, trial.first_scored});
+    for (const TrialComparison& trial : result_.trials) starts.push_back({&trial.pieces, trial.first_scored});
     result_.floors = noise_floor({task_.definition, task_.model, task_.trials, task_.noise, task_.values, noise_,
                                   starts, task_.seed, task_.threads});
     meter_.end_part();
@@ -128,6 +154,15 @@ class Comparer {
         trial.channels.push_back(score_channel(trial, channel, result_.floors[t].channels[c]));
         if (trial.valid) trial.channels.back().from_start = from_start_[t](channel);
       }
+  }
+
+  void name_restarts() {
+    if (std::ranges::any_of(result_.trials, [](const TrialComparison& trial) { return trial.pieces.size() > 1; }))
+      result_.notes.push_back(fmt::format(
+          "predictions start anew from the readings every {:g} s: recorded torques drive the robot and no controller "
+          "corrects it, so errors of longer predictions grow without bound. Where a controller made the torques, state "
+          "it in [target.controllers] with drive = \"controllers\" to predict whole recordings",
+          restart_));
   }
 
   /// A trial without a sample to score must not pass for one without error.
@@ -163,7 +198,7 @@ class Comparer {
     const TrialPredictor finer(*task_.finer, task_.trials, task_.threads);
     std::vector<Prediction> predictions(trials());
     parallel_for(trials(), finer.workers(), [&](std::size_t t, int worker) {
-      finer.predict(finer.whole(t), task_.values, result_.trials[t].start, worker, predictions[t]);
+      predictions[t] = predict_again(finer, t, result_.trials[t].pieces, task_.values, worker);
     });
     for (std::size_t t = 0; t < trials(); ++t) {
       TrialComparison& trial = result_.trials[t];
@@ -276,6 +311,7 @@ class Comparer {
   std::vector<ChannelNoise> noise_;
   TrialPredictor predictor_;
   StartStates states_;
+  const double restart_;                     ///< s, infinite: all runs go on to the end of their trials
   const std::vector<double> horizons_;       ///< s
   std::vector<Eigen::VectorXd> from_start_;  ///< per trial and channel
   Comparison result_;

@@ -2,6 +2,7 @@
 
 #include "fitting/cross_check.h"
 #include "fitting/error_parts.h"
+#include "fitting/free_run.h"
 #include "fitting/noise_floor.h"
 #include "fitting/progress.h"
 
@@ -66,6 +67,7 @@ struct TrialComparison {
   std::vector<ChannelScore> channels;
   std::vector<HorizonScore> horizons;
   StartState start;               ///< at the first sample
+  std::vector<RunPiece> pieces;   ///< of the run; several where it starts anew after a while (restarts.h)
   Eigen::Index first_scored = 0;  ///< sample
   /// For pictures; samples × channels of the trial. NaN where there is no value.
   Eigen::VectorXd times;

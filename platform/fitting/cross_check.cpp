@@ -32,11 +32,9 @@ class Solution {
         values_(task.values) {}
 
   int workers() const { return predictor_.workers(); }
-  Prediction from(const StartState& start, std::size_t trial, int worker) const {
+  Prediction from(const std::vector<RunPiece>& pieces, std::size_t trial, int worker) const {
     throw_if_interrupted();
-    Prediction prediction;
-    predictor_.predict(predictor_.whole(trial), values_, start, worker, prediction);
-    return prediction;
+    return predict_again(predictor_, trial, pieces, values_, worker);
   }
 
  private:
@@ -73,8 +71,8 @@ CrossCheck cross_check(const ComparisonTask& task, const Comparison& comparison)
   std::vector<Prediction> first(task.trials.size()), second(task.trials.size());
   parallel_for(task.trials.size(), coarse.workers(), [&](std::size_t trial, int worker) {
     if (!comparison.trials[trial].valid) return;
-    first[trial] = coarse.from(comparison.trials[trial].start, trial, worker);
-    second[trial] = fine.from(comparison.trials[trial].start, trial, worker);
+    first[trial] = coarse.from(comparison.trials[trial].pieces, trial, worker);
+    second[trial] = fine.from(comparison.trials[trial].pieces, trial, worker);
   });
 
   const double halved = check.engine == "ode" ? 2.0 : 4.0;  // by half the step, of an error of first or second order

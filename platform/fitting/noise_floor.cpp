@@ -2,6 +2,7 @@
 
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
+#include "fitting/free_run.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "foundation/unit.h"
@@ -24,16 +25,15 @@ struct Departure {
 };
 
 /// How far `commands` lead the prediction away from `base`, over the scored samples.
-Departure departure(const CompiledModel& model, const Trial& trial, CommandSeries commands, const StartState& start,
-                    const std::vector<double>& values, Eigen::Index first_scored, const Prediction& base) {
+Departure departure(const CompiledModel& model, const Trial& trial, CommandSeries commands, const ScoredStart& start,
+                    const std::vector<double>& values, const Prediction& base) {
   throw_if_interrupted();
   Trial disturbed = trial;
   disturbed.commands = std::move(commands);
   const TrialPredictor predictor(model, {std::move(disturbed)}, 1);
-  Prediction prediction;
-  predictor.predict(predictor.whole(0), values, start, 0, prediction);
+  const Prediction prediction = predict_again(predictor, 0, *start.pieces, values, 0);
   if (!prediction.valid) return {};
-  const Eigen::Index rows = prediction.samples.rows() - first_scored;
+  const Eigen::Index rows = prediction.samples.rows() - start.first_scored;
   return {true, (prediction.samples - base.samples).bottomRows(rows).colwise().squaredNorm().transpose()};
 }
 
@@ -99,19 +99,17 @@ class Propagation {
   Eigen::VectorXd passed_through(std::size_t index, bool forces) const {
     const Trial& trial = task_.trials[index];
     const CompiledModel& model = forces ? *disturbed_model_ : task_.model;
-    const StartState& start = task_.starts[index].state;
-    const Eigen::Index first = task_.starts[index].first_scored;
+    const ScoredStart& start = task_.starts[index];
     const auto channels = static_cast<Eigen::Index>(trial.measured.channels.size());
     const TrialPredictor predictor(task_.model, {trial}, 1);
-    Prediction base;
-    predictor.predict(predictor.whole(0), task_.values, start, 0, base);
+    const Prediction base = predict_again(predictor, 0, *start.pieces, task_.values, 0);
     if (!base.valid) return unknown(channels);
     std::vector<Departure> draws(kNoiseDraws);
     parallel_for(draws.size(), task_.threads, [&](std::size_t draw, int) {
       draws[draw] = departure(model, trial, forces ? forced(trial, index, draw) : noisy(trial, index, draw), start,
-                              task_.values, first, base);
+                              task_.values, base);
     });
-    return rms(draws, channels, trial.measured.times.size() - first);
+    return rms(draws, channels, trial.measured.times.size() - start.first_scored);
   }
 
   CommandSeries noisy(const Trial& trial, std::size_t index, std::size_t draw) const {

@@ -46,9 +46,11 @@ struct TrialFloor {
   std::vector<FloorValue> channels;
 };
 
-/// Where a trial's free run starts, and from which sample on it is scored.
+struct RunPiece;
+
+/// Where a trial's free run starts, and starts anew, and from which sample on it is scored.
 struct ScoredStart {
-  StartState state;
+  const std::vector<RunPiece>* pieces = nullptr;  ///< of the run (free_run.h)
   Eigen::Index first_scored = 0;
 };
 

@@ -69,11 +69,34 @@ std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartS
   return std::numeric_limits<double>::infinity();
 }
 
+/// From a sample on to the trial's end, or for as long as a prediction goes on.
+Stretch probe_at(const TrialPredictor& predictor, std::size_t trial, Eigen::Index first, double restart) {
+  const Eigen::VectorXd& times = predictor.trials()[trial].measured.times;
+  const double* end = times.data() + times.size();
+  return {trial, first, std::upper_bound(times.data() + first, end, times(first) + kHead + restart) - times.data()};
+}
+
+/// Of trials whose predictions start anew after a while, no stage is longer.
+PlannedStage limited(PlannedStage last, const TrialPredictor& predictor, const StartStates& states,
+                     std::vector<std::string>& notes) {
+  double restart = std::numeric_limits<double>::infinity();
+  for (std::size_t trial = 0; trial < predictor.trials().size(); ++trial)
+    if (!predictor.trials()[trial].held_out && states.reconstructible(trial))
+      restart = std::min(restart, states.restart(trial));
+  if (last.automatic || last.length > 0.0 || !(restart < longest_trial(predictor))) return last;
+  notes.push_back(
+      fmt::format("fitted to predictions of {:g} s, not of whole trials: recorded torques drive the robot and no "
+                  "controller corrects "
+                  "it; fit.horizon = \"2 s\" says another length",
+                  restart));
+  return {fmt::format("segments of {:g} s", restart), restart, false};
+}
+
 }  // namespace
 
 std::vector<PlannedStage> plan_stages(const FitSection& options, const TrialPredictor& predictor,
                                       const StartStates& states, std::vector<std::string>& notes) {
-  const PlannedStage last = last_stage(options.horizon);
+  const PlannedStage last = limited(last_stage(options.horizon), predictor, states, notes);
   if (options.method == "free_run") return {last_stage("whole")};
   if (options.method != "multiple_shooting")
     throw Error("fit.method is \"" + options.method + "\"; write \"multiple_shooting\" or \"free_run\"");
@@ -98,7 +121,7 @@ double automatic_horizon(const TrialPredictor& predictor, const StartStates& sta
     if (predictor.trials()[trial].held_out || !states.reconstructible(trial)) continue;
     const Eigen::Index size = predictor.trials()[trial].measured.times.size();
     for (Eigen::Index probe = 0; probe < kProbes; ++probe)
-      probes.push_back({trial, probe * size / (Eigen::Index{2} * kProbes), size});
+      probes.push_back(probe_at(predictor, trial, probe * size / (Eigen::Index{2} * kProbes), states.restart(trial)));
   }
   std::vector<std::optional<double>> grown(probes.size());
   parallel_for(probes.size(), predictor.workers(), [&](std::size_t i, int worker) {

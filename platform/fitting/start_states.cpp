@@ -1,6 +1,7 @@
 #include "fitting/start_states.h"
 
 #include "fitting/local_polynomial.h"
+#include "fitting/restarts.h"
 #include "foundation/address.h"
 #include "foundation/link_angle.h"
 
@@ -91,7 +92,10 @@ StartStates::StartStates(const RobotSpec& robot, const TrialPredictor& predictor
   hidden_ = hidden_state(robot, predictor.model().state_layout());
   for (const Coordinate& coordinate : predictor.model().coordinates()) names_.push_back(coordinate.name);
   order_outward(robot);
-  for (const Trial& trial : trials_) readings_.push_back(readings_of(robot, trial, noise));
+  for (const Trial& trial : trials_) {
+    readings_.push_back(readings_of(robot, trial, noise));
+    restarts_.push_back(restart_interval(robot, trial));
+  }
 }
 
 void StartStates::order_outward(const RobotSpec& robot) {

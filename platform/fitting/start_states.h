@@ -76,6 +76,8 @@ class StartStates {
   /// transmission's rotor), which a simulation from the middle would begin empty. Nothing where every moment can.
   std::string obstacle(std::size_t trial) const;
   bool reconstructible(std::size_t trial) const { return obstacle(trial).empty(); }
+  /// How long a trial is predicted before the prediction starts anew, s (restarts.h).
+  double restart(std::size_t trial) const { return restarts_[trial]; }
   /// Names of the coordinates whose position the trial does not measure.
   std::vector<std::string> unmeasured(std::size_t trial) const;
   /// The standard deviation of a measured channel of a trial.
@@ -117,6 +119,7 @@ class StartStates {
   std::string hidden_;  ///< what of the model no measurement tells; empty: nothing
   std::vector<std::string> names_;
   std::vector<TrialReadings> readings_;
+  std::vector<double> restarts_;  ///< s
 };
 
 }  // namespace lacuna

@@ -93,8 +93,7 @@ class TwoSolutions {
                                       const StartStates& states, std::size_t trial, int worker) const {
     throw_if_asked_to_stop();
     const FreeRun run = free_run(predictor, states, trial, values_, worker);
-    Prediction better;
-    fine.predict(fine.whole(trial), values_, run.start.start, worker, better);
+    const Prediction better = predict_again(fine, trial, run.pieces, values_, worker);
     std::vector<ChannelShare> all;
     if (!run.prediction.valid || !better.valid) return all;
     const Eigen::VectorXd from_start = effect_of_start(predictor, trial, values_, run, worker);

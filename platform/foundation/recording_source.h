@@ -6,6 +6,7 @@
 #include "foundation/encoding.h"
 #include "foundation/problem.h"
 
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -17,6 +18,14 @@
 namespace lacuna {
 
 /// How measured files are to be read: what `[target]` of kind "recorded" says.
+
+/// A point that a video was searched for, seen from the joint that it goes round: of a channel in rad the angle from
+/// `zero`, from x towards y, on from turn to turn; of one in m the distance.
+struct TrackedPoint {
+  std::string other;  ///< the column of y; that of x is the mapping's. Empty: there is no such point
+  std::array<double, 2> pivot = {0.0, 0.0};  ///< m, in x and y
+  double zero = 0.0;                         ///< rad
+};
 
 /// A column of a file and what it means. SI value = column × unit × gain + offset, or the rate of change of that.
 struct ColumnMapping {
@@ -31,6 +40,7 @@ struct ColumnMapping {
   Encoding encoding;        ///< of the numbers as written
   bool keeps_glitches = false;  ///< of a sensor: compares readings that look like glitches
   bool keeps_repeats = false;   ///< of a sensor: takes each row for a reading, also where it repeats the one before
+  TrackedPoint track;           ///< of a sensor: the column is x of a point
   std::string enabled_by;       ///< of a command: a column that is 0 while the actuator is off; empty: it never is
   SourceLocation location;
 };

@@ -7,6 +7,7 @@
 #include "measurement/duplicate_columns.h"
 #include "measurement/file_report.h"
 #include "measurement/header_names.h"
+#include "measurement/track_guess.h"
 
 #include <fmt/format.h>
 
@@ -72,6 +73,8 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index, const st
   guess.joint = joint_in_words(words);
   guess.of_voltage = guess.unit.empty() ? tell_voltage(words) : same_dimension_as(guess.unit, "V");
   guess.of_velocity = tell_velocity(words);
+  guess.of_effort = guess.unit.empty() ? tell_effort(words)
+                                       : same_dimension_as(guess.unit, "N*m") || same_dimension_as(guess.unit, "N");
   const std::optional<ColumnRole> by_words = role_in_words(words);
   const std::optional<ColumnRole> by_unit = role_of_unit(guess.unit);
   if (by_words == ColumnRole::trial && guess.unit.empty()) {
@@ -151,6 +154,7 @@ void settle_references(const FileSample& sample, std::vector<GuessedColumn>& col
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (std::size_t j = i + 1; j < columns.size(); ++j) {
       if (columns[i].role != ColumnRole::position || columns[j].role != ColumnRole::position) continue;
+      if (number_in(words_of(columns[i].name)) != number_in(words_of(columns[j].name))) continue;  // two joints
       if (columns[i].unit != columns[j].unit || distance(sample.columns[i], sample.columns[j]) > kGoesTogether)
         continue;
       const bool second_lags = lags(sample.columns[i], sample.columns[j]);
@@ -160,6 +164,33 @@ void settle_references(const FileSample& sample, std::vector<GuessedColumn>& col
       reference.reason = fmt::format("`{}` follows it with a lag", measured.name);
       reference.joint = measured.joint;
     }
+}
+
+/// A voltage that hardly changes is a supply's, if something else may drive the rig.
+void settle_supplies(const FileSample& sample, std::vector<GuessedColumn>& columns) {
+  constexpr double kSteady = 0.2;  ///< span over mean
+  const auto drives = [](const GuessedColumn& column) {
+    return column.role == ColumnRole::command || column.role == ColumnRole::reference;
+  };
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    GuessedColumn& column = columns[i];
+    if (column.role != ColumnRole::command || !column.of_voltage) continue;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const double value : sample.columns[i]) {
+      if (!std::isfinite(value)) continue;
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+    const double mean = 0.5 * (lowest + highest);
+    if (!(highest - lowest < kSteady * std::abs(mean)) || lowest * highest <= 0.0) continue;
+    if (std::ranges::none_of(columns, [&](const GuessedColumn& other) {
+          return &other != &column && drives(other) && !other.of_voltage;
+        }))
+      continue;
+    column.role = ColumnRole::other;
+    column.reason =
+        fmt::format("it stays near {:.3g}{}: a supply, no drive", mean, column.unit.empty() ? "" : " " + column.unit);
+  }
 }
 
 void apply_hint(const FileSample& sample, const std::vector<std::string>& names, ColumnRole role,
@@ -194,6 +225,8 @@ std::vector<GuessedColumn> guess_columns(const FileSample& sample, const ColumnH
   leave_out_other_runs(cores, columns);
   settle_time(sample, columns);
   leave_out_duplicates(sample, columns);
+  settle_supplies(sample, columns);
+  settle_tracks(sample, columns);
   settle_references(sample, columns);
   if (!hints.time.empty()) apply_hint(sample, {hints.time}, ColumnRole::time, columns);
   apply_hint(sample, hints.positions, ColumnRole::position, columns);

@@ -2,6 +2,7 @@
 
 #include "measurement/file_sample.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ enum class ColumnRole {
   other       ///< not needed, or not understood
 };
 
+/// A point that a video was searched for: its x and y go round a circle, as a point on a hinged body does.
+struct GuessedTrack {
+  std::string other;                    ///< the column of y
+  double pivot_x = 0.0, pivot_y = 0.0;  ///< m, the circle's centre
+  double radius = 0.0, scatter = 0.0;   ///< m; root mean square distance from the circle
+};
+
+/// Where the angle of a track is taken to be zero, rad from x towards y: hanging down, with y up.
+inline constexpr double kHangingDown = -1.5707963267948966;
+
 struct GuessedColumn {
   std::string name;
   ColumnRole role = ColumnRole::other;
@@ -25,10 +36,13 @@ struct GuessedColumn {
   std::string joint;   ///< what in the name tells joints apart: "1" in `q1`, "elbow" in `elbow_angle_deg`; often empty
   std::string reason;  ///< why this role, half a sentence
   bool of_velocity = false;  ///< its words speak of a velocity; of a reference: the velocity is what it wants
+  bool of_effort = false;    ///< a torque or a force, by its unit or its words
   bool of_voltage = false;   ///< a voltage, by its unit or its words
   bool in_si = false;        ///< its unit is not known, but it is SI
   bool named_by_user = false;
-  bool passed_over = false;  ///< the user named others for what it seemed to be
+  std::optional<GuessedTrack> track = {};  ///< of the column of x: it is an angle together with y
+  bool in_track = false;                   ///< y of such a point
+  bool passed_over = false;                ///< the user named others for what it seemed to be
 };
 
 /// Columns that the user named; the rest is guessed.

@@ -22,6 +22,7 @@ enum class WordKind {
   time,
   measured,  ///< measured, actual, ist: tells nothing of the quantity
   filler,    ///< tells nothing at all
+  supply,    ///< of a voltage or a current that it is not a motor's: main, bus
   bystander  ///< makes of any quantity something that is none of the motion: error, acceleration, battery
 };
 

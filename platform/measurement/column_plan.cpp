@@ -29,6 +29,21 @@ std::string wrong_dimension(const ColumnMapping& mapping, const Channel& channel
       of_position ? "write derivative = true for the rate of a command's column, " : "", channel.unit, mapping.unit);
 }
 
+/// Of the angle or the distance that a tracked point gives, which is in SI.
+double track_conversion(const ColumnMapping& mapping, const Channel& channel, const Unit& column, const Unit& gain,
+                        ProblemList& problems) {
+  if (channel.unit != "rad" && channel.unit != "m")
+    problems.add(mapping.location,
+                 fmt::format("y = \"{}\" makes an angle or a distance of a tracked point; {} is in {}",
+                             mapping.track.other, channel.name, channel.unit));
+  if (!column.same_dimension(*parse_unit("m")) || !gain.same_dimension(*parse_unit("1")))
+    problems.add(mapping.location,
+                 fmt::format("x and y of a tracked point are lengths, and their gain is a number, as in gain = -1 for "
+                             "an angle in the other direction; the unit here is {}{}",
+                             mapping.unit, mapping.gain_unit.empty() ? "" : " times " + mapping.gain_unit));
+  return mapping.gain;
+}
+
 /// The factor from the column to the channel; 1 where the units do not allow one.
 double conversion(const ColumnMapping& mapping, const Channel& channel, ProblemList& problems) {
   const std::optional<Unit> column = parse_unit(mapping.unit);
@@ -37,6 +52,7 @@ double conversion(const ColumnMapping& mapping, const Channel& channel, ProblemL
   for (const auto& [unit, text] : {std::pair(&column, &mapping.unit), std::pair(&gain, &mapping.gain_unit)})
     if (!*unit) problems.add(mapping.location, fmt::format("`{}` is not a unit; known are {}", *text, known_units()));
   if (!column || !gain || !wanted) return 1.0;
+  if (!mapping.track.other.empty()) return track_conversion(mapping, channel, *column, *gain, problems);
   Unit product = *column;
   const Unit second = *parse_unit("s");
   for (std::size_t i = 0; i < product.exponents.size(); ++i)

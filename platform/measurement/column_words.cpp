@@ -96,6 +96,8 @@ std::optional<ColumnRole> role_in_words(const std::vector<std::string>& words) {
   const KindsOfWords kinds(words);
   if (kinds.number_trials()) return ColumnRole::trial;
   if (kinds.have(WordKind::bystander)) return ColumnRole::other;
+  if (kinds.have(WordKind::supply) && (kinds.strong(WordKind::voltage) || kinds.strong(WordKind::current)))
+    return ColumnRole::other;
   const std::optional<ColumnRole> quantity = quantity_in(kinds);
   const bool moves = quantity == ColumnRole::velocity || quantity == ColumnRole::position;
   if (quantity && !moves) return quantity;
@@ -114,7 +116,17 @@ bool name_a_quantity(const std::vector<std::string>& words) {
   return kinds.strong(WordKind::position) || kinds.strong(WordKind::velocity);
 }
 bool tell_velocity(const std::vector<std::string>& words) { return KindsOfWords(words).have(WordKind::velocity); }
+bool tell_effort(const std::vector<std::string>& words) { return KindsOfWords(words).have(WordKind::effort); }
 bool tell_voltage(const std::vector<std::string>& words) { return KindsOfWords(words).have(WordKind::voltage); }
+
+std::optional<int> number_in(const std::vector<std::string>& words) {
+  constexpr std::size_t kMostDigits = 6;
+  const auto last = std::find_if(words.rbegin(), words.rend(), [](const std::string& word) {
+    return std::all_of(word.begin(), word.end(), [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
+  });
+  if (last == words.rend() || last->empty() || last->size() > kMostDigits) return std::nullopt;
+  return std::stoi(*last);
+}
 
 std::string joint_in_words(const std::vector<std::string>& words) {
   std::string joint;

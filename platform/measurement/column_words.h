@@ -24,9 +24,13 @@ bool tell_measured(const std::vector<std::string>& words);
 bool tell_wanted(const std::vector<std::string>& words);
 /// Whether a whole word, not just a letter, names a position or a velocity.
 bool name_a_quantity(const std::vector<std::string>& words);
-/// Whether they speak of a velocity, or of a voltage.
+/// Whether they speak of a velocity, of a torque or a force, or of a voltage.
 bool tell_velocity(const std::vector<std::string>& words);
+bool tell_effort(const std::vector<std::string>& words);
 bool tell_voltage(const std::vector<std::string>& words);
+
+/// The last number among words; nothing: there is none.
+std::optional<int> number_in(const std::vector<std::string>& words);
 
 /// The words that say nothing about the role, joined: what tells joints apart.
 std::string joint_in_words(const std::vector<std::string>& words);

@@ -4,6 +4,7 @@
 #include "measurement/column_words.h"
 #include "measurement/csv_lines.h"
 #include "measurement/date_stamp.h"
+#include "measurement/header_names.h"
 #include "measurement/number_cell.h"
 #include "measurement/utf8.h"
 
@@ -86,8 +87,11 @@ std::optional<std::size_t> header_above(const std::vector<std::vector<std::strin
   return header;
 }
 
+/// Whether a column is so called, or is without the number of its run (csv_runs.h).
 bool names(const std::vector<std::string>& cells, const std::string& column) {
-  return std::find(cells.begin(), cells.end(), column) != cells.end();
+  return std::any_of(cells.begin(), cells.end(), [&](const std::string& cell) {
+    return cell == column || (cell.size() > column.size() && name_and_run(cell).text == column);
+  });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +23,8 @@ class LineReader {
   bool cut_ = false;
 };
 
-/// A delimiter of ' ' means runs of spaces and tabs; lines may start and end with them.
 /// Splits lines into cells. Quoted cells lose their quotes, and doubled quotes in them become one.
+/// A delimiter of ' ' means runs of spaces and tabs; lines may start and end with them.
 /// The views are valid until the next split, and as long as the text is.
 class CellSplitter {
  public:
@@ -32,6 +33,8 @@ class CellSplitter {
   enum class Result { split, open_quote };
   Result split(std::string_view line);
   const std::vector<std::string_view>& cells() const { return cells_; }
+  /// Adds empty cells to those of a line.
+  void fill_up(std::size_t count) { cells_.resize(count); }
 
  private:
   void split_at_runs(std::string_view line);

@@ -2,6 +2,7 @@
 
 #include "foundation/name_index.h"
 #include "measurement/csv_lines.h"
+#include "measurement/cut_number.h"
 #include "measurement/number_cell.h"
 
 #include <fmt/format.h>
@@ -40,6 +41,7 @@ class TableReader {
 
   CsvTable read(std::string_view text) {
     reserve(text);
+    text_ = text;
     LineReader reader(text);
     std::string_view line;
     int number = 0;
@@ -89,11 +91,15 @@ class TableReader {
   bool has_right_size(int number, bool cut) {
     const std::size_t cells = splitter_.cells().size();
     const std::size_t names = format_.names.size();
-    if (cells == names) return true;
+    if (cells == names) return !cut || !is_cut_off(number);
     const auto beyond = splitter_.cells().begin() + static_cast<std::ptrdiff_t>(std::min(names, cells));
     if (cells > names &&
         std::all_of(beyond, splitter_.cells().end(), [](std::string_view cell) { return trimmed(cell).empty(); }))
       return true;  // delimiters at the end of the line
+    if (cells < names && query_.has_other_runs && !cut) {
+      splitter_.fill_up(names);  // runs that have ended
+      return true;
+    }
     if (cells < names && cut) {
       report_.doubt("cut", number,
                     [] { return std::string("the file breaks off in its last line, which is left out"); });
@@ -101,6 +107,17 @@ class TableReader {
     }
     report_.problem("size", number, [&] { return wrong_size(cells, names); });
     return false;
+  }
+
+  bool is_cut_off(int number) {
+    if (!ends_in_cut_number(text_, format_)) return false;
+    report_.doubt("cut", number, [&] {
+      return fmt::format(
+          "the file ends in the middle of a line: its last number, `{}`, has fewer digits than all numbers above "
+          "it; the line is left out",
+          excerpt(trimmed(splitter_.cells().back())));
+    });
+    return true;
   }
 
   std::string wrong_size(std::size_t cells, std::size_t names) const {
@@ -114,6 +131,7 @@ class TableReader {
 
   void take_cells(int number) {
     const std::vector<std::string_view>& cells = splitter_.cells();
+    if (query_.has_other_runs && is_beyond_run(cells)) return;
     const NumberCell time = time_reader_.read(cells[time_index_]);
     if (time.kind != CellKind::number) {
       report_.problem("time", number, [&] { return bad_cell(query_.time_column, cells[time_index_], time.kind); });
@@ -129,6 +147,13 @@ class TableReader {
     table_.lines.push_back(number);
     if (!query_.trial_column.empty()) table_.trials.push_back(trial_number(trimmed(cells[trial_index_])));
     for (std::size_t i = 0; i < indices_.size(); ++i) table_.columns[i].push_back(value(i, cells[indices_[i]], number));
+  }
+
+  /// Whether only other runs have something in a row.
+  bool is_beyond_run(const std::vector<std::string_view>& cells) const {
+    if (!query_.shared_clock && !trimmed(cells[time_index_]).empty()) return false;
+    return std::all_of(indices_.begin(), indices_.end(),
+                       [&](std::size_t index) { return trimmed(cells[index]).empty(); });
   }
 
   /// The part of a second that a column of its own has; NaN where it is none.
@@ -195,6 +220,7 @@ class TableReader {
   const CsvFormat& format_;
   const CsvQuery& query_;
   FileReport& report_;
+  std::string_view text_;
   CellSplitter splitter_;
   TimeStampReader time_reader_;
   std::size_t time_index_ = 0;

@@ -22,6 +22,10 @@ struct CsvQuery {
   /// Added to the time stamps where they are whole seconds and it has a part of a second in each row; empty: none.
   std::string fraction_column = {};
   double fraction_unit = 0.0;  ///< s
+  /// Of a file with runs side by side, which need not be as long as each other: rows with neither a time nor a value of
+  /// the columns are no rows of the run. With a `shared_clock` all runs have the same times.
+  bool has_other_runs = false;
+  bool shared_clock = false;
 };
 
 /// Numbers of the wanted columns, as written (no units applied), row by row.

@@ -2,6 +2,7 @@
 
 #include "measurement/clock_wraps.h"
 #include "measurement/csv_lines.h"
+#include "measurement/csv_runs.h"
 #include "measurement/date_stamp.h"
 #include "measurement/measured_text.h"
 #include "measurement/number_cell.h"
@@ -60,7 +61,51 @@ void join_split_times(FileSample& sample) {
   }
 }
 
+/// Rows behind the end of a run, where only longer ones have values, are left out.
+void drop_rows_behind_end(FileSample& sample) {
+  std::size_t rows = 0;
+  for (const std::vector<double>& column : sample.columns)
+    for (std::size_t i = column.size(); i > rows; --i)
+      if (std::isfinite(column[i - 1])) rows = i;
+  for (std::vector<double>& column : sample.columns) column.resize(std::min(rows, column.size()));
+}
+
+FileSample sample_of_run(const FileSample& sample, const std::string& run) {
+  FileSample own;
+  own.path = sample.path;
+  own.run = run;
+  own.format = sample.format;
+  own.format.names.clear();
+  own.format.units.clear();
+  for (std::size_t c = 0; c < sample.columns.size(); ++c) {
+    const std::string& name = sample.format.names[c];
+    if (is_of_other_run(name, run)) continue;
+    own.format.names.push_back(name_in_run(name, run));
+    if (c < sample.format.units.size()) own.format.units.push_back(sample.format.units[c]);
+    own.columns.push_back(sample.columns[c]);
+    own.numeric_share.push_back(sample.numeric_share[c]);
+  }
+  drop_rows_behind_end(own);
+  return own;
+}
+
 }  // namespace
+
+std::string FileSample::label() const { return path.filename().string() + (run.empty() ? "" : "[" + run + "]"); }
+
+std::vector<FileSample> samples_of_runs(std::vector<FileSample> samples) {
+  std::vector<std::string> all;
+  for (const FileSample& sample : samples) {
+    const std::vector<std::string> runs = runs_in(sample.format.names);
+    if (runs.empty()) return samples;
+    all.insert(all.end(), runs.begin(), runs.end());
+  }
+  if (std::ranges::all_of(all, [&](const std::string& run) { return run == all.front(); })) return samples;
+  std::vector<FileSample> of_runs;
+  for (const FileSample& sample : samples)
+    for (const std::string& run : runs_in(sample.format.names)) of_runs.push_back(sample_of_run(sample, run));
+  return of_runs;
+}
 
 int FileSample::find(const std::string& name) const {
   const auto place = std::find(format.names.begin(), format.names.end(), name);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view kRunWords[] = {"data set",  "dataset", "run",   "trial",  "lauf",   "versuch", "messung",
                                           "messreihe", "essai",   "prova", "ensayo", "series", "serie"};
+constexpr std::string_view kNewest = "latest: ";
 constexpr std::string_view kBetween = " \t_/.:-|,;#()[]";  ///< words
 constexpr std::string_view kBeforeNumber = " #_-.";
 
@@ -45,7 +46,8 @@ std::size_t run_at_end(std::string_view name) {
   return name.npos;
 }
 
-/// Where a lower-case name goes on behind "Run 1: "; 0: it does not begin so.
+/// Where a lower-case name goes on behind "Run 1: ", or "Latest: " as Logger Pro calls the newest one; 0: it does not
+/// begin so.
 std::size_t run_at_start(std::string_view name) {
   for (const std::string_view word : kRunWords) {
     if (!name.starts_with(word)) continue;
@@ -57,22 +59,12 @@ std::size_t run_at_start(std::string_view name) {
     while (at < name.size() && is_between(name[at]) && name[at] != '(' && name[at] != '[') ++at;
     return at == name.size() ? 0 : at;
   }
-  return 0;
+  return name.starts_with(kNewest) && name.size() > kNewest.size() ? kNewest.size() : 0;
 }
 
 std::string in_lower_case(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-CoreName without_run(const std::string& written) {
-  const std::string name(trimmed(written)), lower = in_lower_case(name);
-  if (const std::size_t at = run_at_end(lower); at != lower.npos)
-    if (const std::string_view rest = without_ends(std::string_view(name).substr(0, at)); !rest.empty())
-      return {std::string(rest), std::string(without_ends(std::string_view(name).substr(at)))};
-  if (const std::size_t at = run_at_start(lower); at > 0)
-    return {name.substr(at), std::string(without_ends(std::string_view(name).substr(0, at)))};
-  return {name, ""};
 }
 
 struct Meaning {
@@ -127,9 +119,19 @@ void shorten(std::vector<std::string>& names, const std::vector<std::size_t>& wh
 
 }  // namespace
 
+CoreName name_and_run(const std::string& written) {
+  const std::string name(trimmed(written)), lower = in_lower_case(name);
+  if (const std::size_t at = run_at_end(lower); at != lower.npos)
+    if (const std::string_view rest = without_ends(std::string_view(name).substr(0, at)); !rest.empty())
+      return {std::string(rest), std::string(without_ends(std::string_view(name).substr(at)))};
+  if (const std::size_t at = run_at_start(lower); at > 0)
+    return {name.substr(at), std::string(without_ends(std::string_view(name).substr(0, at)))};
+  return {name, ""};
+}
+
 std::vector<CoreName> core_names(const std::vector<std::string>& names) {
   std::vector<CoreName> cores;
-  for (const std::string& name : names) cores.push_back(without_run(name));
+  for (const std::string& name : names) cores.push_back(name_and_run(name));
   std::vector<std::string> texts;
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < cores.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "measurement/measured_text.h"
 
 #include "foundation/special_file.h"
+#include "measurement/utf8.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -74,18 +76,30 @@ constexpr BinaryFormat kBinaryFormats[] = {
     {"\x89MCAP0\r\n"sv, "is an MCAP file; give it a name that ends with .mcap"},
     {"\x93NUMPY"sv, "is an array of NumPy; give it a name that ends with .npy"},
     {"#ROSBAG"sv, "is a bag of ROS 1; convert it with rosbags-convert --src run.bag --dst run"},
-    {"\xff\xfe"sv, "is UTF-16 text; save it as UTF-8"},
-    {"\xfe\xff"sv, "is UTF-16 text; save it as UTF-8"},
 };
+
+/// What is said of a robot that was named for a recording; empty: it is none.
+std::string robot_file_in(const std::string& bytes) {
+  const std::string_view head = std::string_view(bytes).substr(0, 4096);
+  const std::size_t start = head.find_first_not_of(" \t\r\n");
+  if (start == head.npos) return {};
+  const bool is_xml = head[start] == '<',
+             is_toml = head.substr(start).starts_with("[robot]") || head.find("\n[robot]") != head.npos;
+  const bool is_robot = is_toml || head.find("<robot") != head.npos || head.find("<mujoco") != head.npos;
+  if (is_robot)
+    return "is a robot file, not a recording; name the robot under model.file or by --robot, and here a file with a "
+           "column of times and one for each reading";
+  return is_xml
+             ? "is XML, not a recording; export the recording as CSV, with a column of times and one for each reading"
+             : "";
+}
 
 std::string not_text(const std::string& bytes) {
   if (bytes.empty()) return "is empty; it needs a header line with column names and one line a sample";
   for (const BinaryFormat& format : kBinaryFormats)
     if (bytes.starts_with(format.first_bytes)) return std::string(format.complaint);
+  if (std::string robot = robot_file_in(bytes); !robot.empty()) return robot;
   const std::string_view head = std::string_view(bytes).substr(0, 4096);
-  const auto zeros = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\0'));
-  if (head.size() >= 8 && zeros * 5 >= head.size() * 2 && zeros * 5 <= head.size() * 3)
-    return "is UTF-16 text; save it as UTF-8";
   const auto is_control = [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r';
@@ -107,6 +121,10 @@ std::string why_no_file(const std::filesystem::path& path) {
 std::string read_measured_text(const std::filesystem::path& path, FileReport& report) {
   std::string complaint;
   std::string text = read_bytes(path, complaint);
+  if (const std::optional<Utf16> order = complaint.empty() ? utf16_in(text) : std::nullopt) {
+    text = utf8_from_utf16(text, *order);
+    report.note("utf16", 0, [] { return std::string("is UTF-16 text, and is read as such"); });
+  }
   if (complaint.empty()) complaint = not_text(text);
   if (!complaint.empty()) {
     report.problem("file", 0, [&] { return complaint; });

@@ -1,5 +1,7 @@
 #include "measurement/opened_file.h"
 
+#include "measurement/csv_runs.h"
+#include "measurement/header_names.h"
 #include "measurement/measured_text.h"
 #include "measurement/plausibility.h"
 #include "measurement/unread_drives.h"
@@ -81,7 +83,7 @@ void report_contents(const RecordingContents& contents, FileReport& report) {
   for (const RecordingSentence& one : contents.problems) report.problem("file", one.line, [&] { return one.text; });
   for (const RecordingSentence& one : contents.remarks) report.note("file", one.line, [&] { return one.text; });
   if (contents.problems.empty() && contents.tables.empty())
-    report.problem("file", 0, [] { return std::string("holds no numbers that can be read"); });
+    report.problem("file", 0, [] { return std::string(kNoNumbers); });
 }
 
 std::optional<OpenedTables> open_tables(const std::string& table, const std::vector<std::string>& wanted,
@@ -114,10 +116,49 @@ void check_format(const RecordingSource& source, const RecordingPlan& plan, cons
   note_unread_drives(source, format, report);
 }
 
-void open_csv(const RecordingSource& source, const RecordingPlan& plan, OpenedFile& file) {
+/// The columns of one of the runs that a file has side by side, by the names that it has as a table.
+void take_run(const std::string& run, OpenedFile& file) {
+  if (std::ranges::find(file.runs, run) == file.runs.end()) {
+    file.report.problem("table", file.format.header_line, [&] {
+      if (file.runs.empty())
+        return fmt::format("no table `{}`: no column's name ends with the number of a run; leave table out",
+                           excerpt(run));
+      return fmt::format("no table `{}`{}; the runs in its header are {}", excerpt(run), did_you_mean(run, file.runs),
+                         listed(file.runs));
+    });
+    return;
+  }
+  file.run = run;
+  file.shares_clock =
+      file.runs.size() > 1 && std::ranges::find(file.format.names, file.time_column) != file.format.names.end();
+  file.format.names = names_of_run(file.format.names, run);
+}
+
+/// Runs of a file that no recording of the experiment reads; said where the file is named first.
+void note_unread_runs(const RecordingSource& source, const MeasuredFile& file, OpenedFile& opened) {
+  const auto first = std::ranges::find(source.files, file.path, &MeasuredFile::path);
+  if (&*first != &file) return;
+  std::vector<std::string> unread = opened.runs;
+  std::erase(unread, name_and_run(opened.time_column).run);
+  for (const ColumnMapping& sensor : source.sensors) std::erase(unread, name_and_run(sensor.column).run);
+  for (const MeasuredFile& other : source.files)
+    if (other.path == file.path) std::erase(unread, other.table);
+  if (unread.empty()) return;
+  opened.report.note("runs", opened.format.header_line, [&] {
+    return fmt::format(
+        "the runs in this file are {}; not read: {}. To read a run, write [[target.recording]] with this "
+        "file and table = \"{}\"",
+        listed(opened.runs), listed(unread), unread.front());
+  });
+}
+
+/// `run`: of a file that has several side by side; empty: its columns go by their whole names.
+void open_csv(const RecordingSource& source, const RecordingPlan& plan, const std::string& run, OpenedFile& file) {
   file.text = read_measured_text(file.path, file.report);
   if (file.report.has_problems()) return;
   file.format = find_csv_format(file.text, {file.time_column, source.delimiter, source.decimal_comma}, file.report);
+  file.runs = runs_in(file.format.names);
+  if (!run.empty() && !file.report.has_problems()) take_run(run, file);
   file.columns = NameIndex(file.format.names);
   check_format(source, plan, file.format, file.report);
 }
@@ -181,7 +222,7 @@ void open_further(const RecordingSource& source, const RecordingPlan& plan, cons
                                                further.time_unit.empty() ? source.time_unit : further.time_unit,
                                                {},
                                                further.columns});
-  if (!formats || !formats->reads(file.path)) return open_csv(source, plan, file);
+  if (!formats || !formats->reads(file.path)) return open_csv(source, plan, further.table, file);
   const auto opened = open_tables(further.table, wanted, true, *formats, file);
   if (opened) check_format(source, plan, format_of_all(opened->contents), file.report);
 }
@@ -193,6 +234,8 @@ std::string column_path(const std::string& table, const std::string& column) {
 }
 
 std::string OpenedFile::own_name(const std::string& column) const {
+  if (!run.empty())
+    return column.starts_with(column_path(run, "")) ? column.substr(run.size() + 1) : name_in_run(column, run);
   if (!table || table->empty()) return column;
   const std::string start = column_path(*table, "");
   if (column.starts_with(start)) return column.substr(start.size());
@@ -217,7 +260,8 @@ OpenedRecording open_recording(const RecordingSource& source, const RecordingPla
     opened = open_tables(file.table, wanted, false, *formats, first);
     if (opened) check_format(source, plan, format_of_all(opened->contents), first.report);
   } else {
-    open_csv(source, plan, first);
+    open_csv(source, plan, file.table, first);
+    note_unread_runs(source, file, first);
   }
   for (const FurtherFile& further : file.with) open_further(source, plan, further, wanted, formats, recording);
   if (opened) add_found_tables(*opened, recording);

@@ -26,6 +26,9 @@ struct OpenedFile {
   std::string text = {};          ///< of a CSV file
   CsvFormat format = {};
   NameIndex columns = {};                 ///< of the format's names
+  std::string run = {};                   ///< of a CSV file with several side by side (csv_runs.h); empty: all of it
+  std::vector<std::string> runs = {};     ///< of a CSV file
+  bool shares_clock = false;              ///< all runs of a CSV file have one column of times
   std::optional<std::string> table = {};  ///< of another format: the table's name, empty where a file is one
   bool has_own_clock = false;             ///< the format knows its time, in s, since 1970 or since a start
   bool is_found = false;                  ///< a further table of its file, of which only whole paths speak

@@ -2,10 +2,12 @@
 
 #include "foundation/unit.h"
 #include "measurement/clock_wraps.h"
+#include "measurement/csv_runs.h"
 #include "measurement/decode_tables.h"
 #include "measurement/foreign_table.h"
 #include "measurement/join_tables.h"
 #include "measurement/opened_file.h"
+#include "measurement/track_angle.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +23,8 @@ std::vector<std::string> names_of_columns(const RecordingPlan& plan) {
   std::vector<std::string> names;
   for (const PlannedColumn* column : columns_of(plan)) names.push_back(column->mapping->column);
   for (const PlannedSwitch& one : plan.switches) names.push_back(one.column);
+  for (const PlannedColumn& sensor : plan.sensors)
+    if (const std::string& other = sensor.mapping->track.other; !other.empty()) names.push_back(other);
   return names;
 }
 
@@ -31,6 +35,13 @@ void check_column(const std::string& name, OpenedFile& file) {
   if (count == 1 || !file.told.insert(name).second) return;
   file.report.problem("column " + name, file.format.header_line, [&] {
     if (count > 1) return fmt::format("{} columns are called `{}`; rename all but one", count, excerpt(name));
+    if (file.run.empty() && std::ranges::any_of(file.runs, [&](const std::string& run) {
+          return NameIndex(names_of_run(names, run)).count(name) > 0;
+        }))
+      return fmt::format(
+          "no column `{}` but one in each of the runs {}; write [[target.recording]] with this file and "
+          "table = \"{}\"",
+          excerpt(name), listed(file.runs), file.runs.front());
     return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, names), listed(names));
   });
 }
@@ -102,6 +113,8 @@ CsvQuery query_for(const RecordingSource& source, const std::vector<std::string>
   if (!source.trial_column.empty()) query.trial_column = file.own_name(source.trial_column);
   name_fraction(file, seconds_per_unit_of(file), query);
   for (const std::size_t c : file.given) query.columns.push_back({file.own_name(wanted[c])});
+  query.has_other_runs = !file.run.empty() && file.runs.size() > 1;
+  query.shared_clock = file.shares_clock;
   return query;
 }
 
@@ -128,7 +141,7 @@ ReadTable unread(std::size_t columns, OpenedFile& file) {
 }
 
 /// `rows`: of a file that is not CSV; none where it, or another of its tables, has problems.
-ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted,
+ReadTable read_table(const RecordingSource& source, const RecordingPlan& plan, const std::vector<std::string>& wanted,
                      std::optional<RecordedRows> rows, OpenedFile& file) {
   if (file.report.has_problems() || (file.table && !rows)) return unread(wanted.size(), file);
   const CsvQuery query = query_for(source, wanted, file);
@@ -140,6 +153,7 @@ ReadTable read_table(const RecordingSource& source, const std::vector<std::strin
   std::vector<std::vector<double>> columns(wanted.size());
   for (std::size_t i = 0; i < file.given.size(); ++i) columns[file.given[i]] = std::move(read.table.columns[i]);
   read.table.columns = std::move(columns);
+  make_angles_of_tracks(plan, read);
   if (!read.report.has_problems()) decode_clock({file.time_column, file.time_encoding, seconds_per_unit}, read);
   return read;
 }
@@ -204,7 +218,7 @@ std::vector<ReadRecording> read_tables(const RecordingSource& source, const Reco
     std::vector<std::optional<RecordedRows>> rows(opened.tables.size());
     if (all_open) rows = read_formats(source, wanted, formats, opened.tables);
     for (std::size_t t = 0; t < rows.size(); ++t)
-      tables.push_back(all_open ? read_table(source, wanted, std::move(rows[t]), opened.tables[t])
+      tables.push_back(all_open ? read_table(source, plan, wanted, std::move(rows[t]), opened.tables[t])
                                 : unread(wanted.size(), opened.tables[t]));
     files.push_back(std::move(opened.file));
   }

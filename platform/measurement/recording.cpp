@@ -173,27 +173,35 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
   if (!report.has_problems()) check_holdout_ranges(file, of_holdout, report);
 }
 
-std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files) {
-  std::map<std::string, int> uses;
-  for (const MeasuredFile& file : files) ++uses[file.path.filename().string()];
+bool is_csv(const MeasuredFile& file, const RecordingFormats* formats) {
+  return !formats || !formats->reads(file.path);
+}
+
+/// Of runs side by side in a file the run, too: "pendulum.csv[Run #2]".
+std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files, const RecordingFormats* formats) {
+  std::map<std::string, std::set<std::filesystem::path>> of_name;
+  for (const MeasuredFile& file : files) of_name[file.path.filename().string()].insert(file.path);
   std::vector<std::string> names;
   for (const MeasuredFile& file : files) {
     const std::string name = file.path.filename().string();
-    names.push_back(uses[name] == 1 ? name : file.path.string());
+    names.push_back(of_name[name].size() == 1 ? name : file.path.string());
+    if (!file.table.empty() && is_csv(file, formats)) names.back() += "[" + file.table + "]";
   }
   return names;
 }
 
 /// A file that is both fitted to and held out would make every held-out error look good. Of one with tables a recording
-/// may join several.
-void check_files_differ(const std::vector<MeasuredFile>& files, ProblemList& problems) {
+/// may join several; runs side by side are recordings of their own.
+void check_files_differ(const std::vector<MeasuredFile>& files, const RecordingFormats* formats,
+                        ProblemList& problems) {
   std::set<std::filesystem::path> before;
   for (const MeasuredFile& file : files) {
     std::set<std::filesystem::path> paths;
     std::set<std::pair<std::filesystem::path, std::string>> tables;
     const auto look = [&](const std::filesystem::path& path, const std::string& table, const SourceLocation& location) {
       std::error_code ignored;
-      const std::filesystem::path whole = std::filesystem::weakly_canonical(path, ignored);
+      std::filesystem::path whole = std::filesystem::weakly_canonical(path, ignored);
+      if (&path == &file.path && !table.empty() && is_csv(file, formats)) whole += "[" + table + "]";
       paths.insert(whole);
       if (before.contains(whole) || !tables.emplace(whole, table).second)
         problems.add(location, fmt::format("{} is named twice; a file is fitted to or held out, once", path.string()));
@@ -284,7 +292,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   ProblemList problems;
   const SourceLocation location{source.files.empty() ? "" : source.files.front().location.file, 0, 0};
   if (source.files.empty()) problems.add(location, "no measured files; name at least one in target.files");
-  check_files_differ(source.files, problems);
+  check_files_differ(source.files, formats, problems);
   if (source.sensors.empty()) problems.add(location, "no column is measured; map at least one in target.sensors");
   RecordingPlan plan;
   plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);
@@ -296,7 +304,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   plan.seconds_per_time_unit = seconds_per_time_unit(source, problems);
   plan_starts(source.initial, coordinates, plan, problems);
 
-  WholeSource whole{source, plan, names_of_files(source.files), {}};
+  WholeSource whole{source, plan, names_of_files(source.files, formats), {}};
   whole.has_one_trial = source.may_split && source.files.size() == 1 && !source.files.front().held_out &&
                         source.files.front().holdout.empty();
   Recording recording;

@@ -111,7 +111,7 @@ FileSample sample_recording(const std::filesystem::path& path, const RecordingFo
   const RecordingContents contents = formats.contents(path);
   report_problems(contents.problems, report);
   if (contents.tables.empty() && !report.has_problems())
-    report.problem("file", 0, [] { return std::string("holds no numbers that can be read"); });
+    report.problem("file", 0, [] { return std::string(kNoNumbers); });
   if (report.has_problems()) return sample;
   const ReadRows read = formats.read(path, queries_for(contents));
   report_problems(read.problems, report);

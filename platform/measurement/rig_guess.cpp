@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 namespace lacuna {
 namespace {
@@ -63,6 +64,7 @@ double activity(const FileSample& sample, const GuessedColumn& column) {
 }
 
 bool slides(const GuessedJoint& joint) {
+  if (joint.position && joint.position->track) return false;
   for (const auto& [column, unit] :
        {std::pair(&joint.position, "m"), std::pair(&joint.velocity, "m/s"), std::pair(&joint.command, "N")})
     if (*column && same_dimension((*column)->unit, unit)) return true;
@@ -81,13 +83,21 @@ void make_joints(RigGuess& guess, const Columns& columns) {
   if (!positions.empty()) attach(guess, velocities, &GuessedJoint::velocity);
 }
 
-/// Commands of which the busiest come first, so that a disturbance that is mostly zero is not taken for the drive.
+/// Commands of which torques and forces come first, then the busiest, so that a disturbance that is mostly zero is not
+/// taken for the drive, nor a current or a voltage where the torque is known.
 Columns commands_by_activity(const Columns& columns, const FileSample& sample, std::size_t joints) {
   Columns commands = with_role(columns, ColumnRole::command);
-  if (joints == 1)
-    std::stable_sort(commands.begin(), commands.end(), [&](const GuessedColumn& a, const GuessedColumn& b) {
-      return activity(sample, a) > activity(sample, b);
-    });
+  std::map<std::string, double> active;
+  double most = 0.0;
+  for (const GuessedColumn& command : commands) {
+    active[command.name] = activity(sample, command);
+    most = std::max(most, active[command.name]);
+  }
+  const auto is_effort = [&](const GuessedColumn& one) { return one.of_effort && 2.0 * active[one.name] >= most; };
+  std::stable_sort(commands.begin(), commands.end(), [&](const GuessedColumn& a, const GuessedColumn& b) {
+    if (is_effort(a) != is_effort(b)) return is_effort(a);
+    return joints == 1 && active[a.name] > active[b.name];
+  });
   return commands;
 }
 
@@ -168,9 +178,9 @@ Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints
         throw_problem({sample.path.string(), sample.first_place(), 0},
                       fmt::format("no column `{}`, which is the time in {}; recordings of one rig need the same "
                                   "columns",
-                                  column.name, samples.front().path.string()));
+                                  column.name, samples.front().label()));
       column.role = ColumnRole::other;
-      column.reason = fmt::format("{} does not have it", sample.path.filename().string());
+      column.reason = fmt::format("{} does not have it", sample.label());
     }
   return columns;
 }
@@ -250,7 +260,8 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
   match_joints(guess);
   settle_hold(guess);
   settle_units(guess);
-  for (const GuessedColumn& column : with_role(columns, ColumnRole::other)) guess.unused.push_back(column);
+  for (const GuessedColumn& column : with_role(columns, ColumnRole::other))
+    if (!column.in_track) guess.unused.push_back(column);
   return guess;
 }
 
@@ -283,9 +294,9 @@ std::string command_unit(const GuessedJoint& joint) {
   return joint.slides ? "N" : "N*m";
 }
 
-RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesystem::path>& files) {
+RecordingSource source_of(const RigGuess& guess, const std::vector<GuessedFile>& files) {
   RecordingSource source;
-  for (const std::filesystem::path& file : files) source.files.push_back({.path = file});
+  for (const GuessedFile& file : files) source.files.push_back({.path = file.path, .table = file.run});
   source.time_column = guess.time.name;
   source.time_unit = guess.time.unit;
   if (guess.trial) source.trial_column = guess.trial->name;
@@ -295,6 +306,10 @@ RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesyst
     result.channel = channel.name;
     result.column = column.name;
     result.unit = column.unit.empty() ? channel.unit : column.unit;
+    if (column.track) {
+      result.track = {column.track->other, {column.track->pivot_x, column.track->pivot_y}, kHangingDown};
+      return result;
+    }
     if (!same_dimension(result.unit, channel.unit))
       result.gain_unit = fmt::format("{}/({})", channel.unit, result.unit);
     return result;

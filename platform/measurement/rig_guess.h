@@ -48,8 +48,14 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
 /// Throws `Error` where no sensor gets one.
 RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints, const RobotSpec& robot);
 
+/// A recording that a guess is made from: a file, or one of the runs in it (csv_runs.h).
+struct GuessedFile {
+  std::filesystem::path path;
+  std::string run = {};
+};
+
 /// A source that reads the files as guessed; units that are not known are taken to be SI, and gains 1.
-RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesystem::path>& files);
+RecordingSource source_of(const RigGuess& guess, const std::vector<GuessedFile>& files);
 
 /// SI unit of what a joint's position, velocity or actuator has.
 std::string position_unit(const GuessedJoint& joint);

@@ -4,10 +4,14 @@
 #include "foundation/unit.h"
 #include "measurement/column_words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace lacuna {
@@ -26,6 +30,7 @@ struct OpenChannel {
 enum class Dimension { unknown, same, other };
 
 Dimension dimension_of(const GuessedColumn& column, const Channel& channel) {
+  if (column.track) return channel.unit == "rad" ? Dimension::same : Dimension::other;
   const std::optional<Unit> unit = parse_unit(column.unit), wanted = parse_unit(channel.unit);
   if (column.unit.empty() || !unit || !wanted) return Dimension::unknown;
   return unit->same_dimension(*wanted) ? Dimension::same : Dimension::other;
@@ -70,7 +75,7 @@ std::vector<OpenChannel> open_channels(const RobotSpec& robot) {
 }
 
 bool is_for_robot(const GuessedColumn& column) {
-  return column.role != ColumnRole::time && column.role != ColumnRole::trial && !column.passed_over;
+  return column.role != ColumnRole::time && column.role != ColumnRole::trial && !column.passed_over && !column.in_track;
 }
 
 bool fits(const OpenChannel& slot, const GuessedColumn& column) {
@@ -84,15 +89,21 @@ bool fits(const OpenChannel& slot, const GuessedColumn& column) {
   return column.role == slot.role && (column.named_by_user || dimension == Dimension::unknown);
 }
 
+/// Of a drive: whether the column speaks of what it takes.
+bool is_of_quantity(const OpenChannel& slot, const GuessedColumn& column) {
+  if (!slot.is_actuator) return false;
+  if (slot.is_servo) return column.role == ColumnRole::reference;
+  return slot.channel.unit == "V" ? column.of_voltage : column.of_effort;
+}
+
 bool has_same_name(const OpenChannel& slot, const GuessedColumn& column) {
+  const bool is_reading = column.role == ColumnRole::position || column.role == ColumnRole::velocity;
   const bool may_be =
-      slot.is_actuator || column.named_by_user || dimension_of(column, slot.channel) != Dimension::other;
+      slot.is_actuator ? !is_reading : column.named_by_user || dimension_of(column, slot.channel) != Dimension::other;
   return may_be && (column.name == slot.channel.name || words_of(column.name) == words_of(slot.channel.name));
 }
 
-bool is_number(const std::string& word) {
-  return std::all_of(word.begin(), word.end(), [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
-}
+bool is_number(const std::string& word) { return number_in({word}).has_value(); }
 
 /// How many words of the column's name the channel and its element have too; none where these are only numbers: lists
 /// count from 0, joints mostly from 1.
@@ -107,18 +118,31 @@ int shared_words(const OpenChannel& slot, const GuessedColumn& column) {
   return has_word ? shared : 0;
 }
 
-/// The last number among words; nothing: there is none.
-std::optional<int> number_in(const std::vector<std::string>& words) {
-  const auto last = std::find_if(words.rbegin(), words.rend(), is_number);
-  if (last == words.rend() || last->size() > 6) return std::nullopt;
-  return std::stoi(*last);
-}
-
 /// Gives columns to slots; what has been given is no candidate any more.
 class Matching {
  public:
   Matching(std::vector<OpenChannel>& slots, const std::vector<GuessedColumn>& columns) : slots_(slots) {
     std::copy_if(columns.begin(), columns.end(), std::back_inserter(free_), is_for_robot);
+  }
+
+  /// Joints that count from 1 and columns that count from 0, or the other way round: q0 and q1 of joint1 and joint2.
+  /// The names that are the same, q1 of q1, would cross them.
+  void match_shifted_numbers() {
+    for (const std::vector<std::size_t>& family : numbered_slots()) {
+      std::map<int, std::size_t> slots;
+      for (const std::size_t i : family) slots.emplace(*number_in(slots_[i].words), i);
+      std::vector<std::map<int, std::string>> shifted;
+      for (const auto& [stem, columns] : numbered_columns(slots_[family.front()]))
+        if (const int shift = slots.begin()->first - columns.begin()->first;
+            shift != 0 && columns.size() == slots.size() && has_numbers(columns, slots, shift))
+          shifted.push_back(columns);
+      if (shifted.size() != 1) continue;
+      const int from = shifted.front().begin()->first;
+      const std::string reason =
+          fmt::format("its number, counted from {} where the joints' are from {}", from, slots.begin()->first);
+      auto slot = slots.begin();
+      for (const auto& [number, name] : shifted.front()) give((slot++)->second, name, reason);
+    }
   }
 
   void match_same_names() {
@@ -149,8 +173,7 @@ class Matching {
             named.emplace(*number, free_[i].name);
         if (named.size() != columns.size()) continue;
         for (const auto& [number, name] : named) {
-          const auto at = std::ranges::find(free_, name, &GuessedColumn::name);
-          give(slots_[by_number.at(number)], static_cast<std::size_t>(at - free_.begin()), "its number");
+          give(by_number.at(number), name, "its number");
         }
       }
   }
@@ -168,20 +191,61 @@ class Matching {
     }
   }
 
-  /// Those of the channel's unit where there are any, else all that fit.
+  /// Those of the channel's unit where there are any, else those whose words speak of its quantity, else all that fit.
   std::vector<std::size_t> candidates(const OpenChannel& slot) const {
-    std::vector<std::size_t> fitting, of_unit;
+    std::vector<std::size_t> fitting, of_quantity, of_unit;
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (!fits(slot, free_[i])) continue;
       fitting.push_back(i);
+      if (is_of_quantity(slot, free_[i])) of_quantity.push_back(i);
       if (dimension_of(free_[i], slot.channel) == Dimension::same) of_unit.push_back(i);
     }
-    return of_unit.empty() ? fitting : of_unit;
+    if (!of_unit.empty()) return of_unit;
+    return of_quantity.empty() ? fitting : of_quantity;
   }
 
   const std::vector<GuessedColumn>& free() const { return free_; }
 
  private:
+  using NumberedColumns = std::map<int, std::string>;
+
+  static bool has_numbers(const NumberedColumns& columns, const std::map<int, std::size_t>& slots, int shift) {
+    return std::ranges::all_of(columns, [&](const auto& one) { return slots.contains(one.first + shift); });
+  }
+
+  /// Open slots of one kind that all have numbers, and different ones.
+  std::vector<std::vector<std::size_t>> numbered_slots() const {
+    std::map<std::tuple<bool, ColumnRole, std::string>, std::vector<std::size_t>> kinds;
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+      if (!slots_[i].column) kinds[{slots_[i].is_actuator, slots_[i].role, slots_[i].channel.unit}].push_back(i);
+    std::vector<std::vector<std::size_t>> numbered;
+    for (const auto& [kind, slots] : kinds) {
+      std::set<int> numbers;
+      for (const std::size_t i : slots)
+        if (const std::optional<int> number = number_in(slots_[i].words)) numbers.insert(*number);
+      if (slots.size() > 1 && numbers.size() == slots.size()) numbered.push_back(slots);
+    }
+    return numbered;
+  }
+
+  /// Columns that may be for a slot, by their names without numbers.
+  std::map<std::vector<std::string>, NumberedColumns> numbered_columns(const OpenChannel& slot) const {
+    std::map<std::vector<std::string>, NumberedColumns> families;
+    for (const std::size_t i : candidates(slot)) {
+      std::vector<std::string> words = words_of(free_[i].name);
+      const std::optional<int> number = number_in(words);
+      if (!number || free_[i].named_by_user) continue;
+      words.erase(std::prev(std::find_if(words.rbegin(), words.rend(), is_number).base()));
+      families[words].emplace(*number, free_[i].name);
+    }
+    return families;
+  }
+
+  void give(std::size_t slot, const std::string& name, const std::string& reason) {
+    const auto at = std::ranges::find(free_, name, &GuessedColumn::name);
+    give(slots_[slot], static_cast<std::size_t>(at - free_.begin()), reason);
+  }
+
   void give(OpenChannel& slot, std::size_t index, const std::string& reason) {
     slot.column = free_[index];
     if (!slot.column->named_by_user) slot.column->reason = reason;
@@ -234,6 +298,7 @@ class Matching {
 RobotMatch match_robot(const RobotSpec& robot, const std::vector<GuessedColumn>& columns) {
   std::vector<OpenChannel> slots = open_channels(robot);
   Matching matching(slots, columns);
+  matching.match_shifted_numbers();
   matching.match_same_names();
   matching.match_shared_words();
   matching.match_numbers();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,15 @@ namespace lacuna {
 
 /// Whether the bytes are well-formed UTF-8 (overlong forms and surrogates are not looked for).
 bool is_utf8(std::string_view text);
+
+/// The order of the two bytes of UTF-16.
+enum class Utf16 { little_endian, big_endian };
+
+/// How a text is UTF-16: by the byte-order mark, else by the zeros of its Latin letters. Nothing: it is not.
+std::optional<Utf16> utf16_in(std::string_view bytes);
+
+/// Without the byte-order mark; what is no character becomes U+FFFD.
+std::string utf8_from_utf16(std::string_view bytes, Utf16 order);
 
 /// Text of old Windows and instrument programs, one byte a character.
 std::string utf8_from_latin1(std::string_view text);

@@ -137,7 +137,8 @@ class FeatureBuilder {
   void fill(const Used& used) {
     const TrialComparison& comparison = task_.comparison.trials[used.trial];
     const Trial& trial = task_.trials[used.trial];
-    const std::optional<ModelState> model = model_states_.of(trial, comparison.start, task_.values);
+    const std::optional<ModelState> model =
+        comparison.pieces.size() > 1 ? std::nullopt : model_states_.of(trial, comparison.start, task_.values);
     const Kinematics motion = kinematics(used, model);
     const Eigen::VectorXd times = comparison.times(used.samples);
     Eigen::Index column = 0;

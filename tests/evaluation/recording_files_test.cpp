@@ -66,7 +66,7 @@ TEST_P(RecordedArms, AreMatchedWithARobotAndRead) {
   EXPECT_EQ(guess.sensors[0].column.name, GetParam().position);
   ASSERT_EQ(guess.commands.size(), 1U);
   EXPECT_EQ(guess.commands[0].column.name, GetParam().effort);
-  const Recording recording = read_recording(source_of(guess, {file}), robot, &formats_);
+  const Recording recording = read_recording(source_of(guess, {{file}}), robot, &formats_);
   const Trial& trial = recording.trials.front();
   ASSERT_GE(trial.measured.times.size(), 30);
   for (Eigen::Index i = 0; i < 30; ++i) {

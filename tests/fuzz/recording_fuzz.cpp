@@ -61,11 +61,14 @@ std::vector<std::filesystem::path> written(const std::string& text, const lacuna
 void guess(const std::vector<std::filesystem::path>& files) {
   std::vector<lacuna::FileSample> samples;
   for (const std::filesystem::path& file : files) samples.push_back(lacuna::sample_file(file));
+  samples = lacuna::samples_of_runs(std::move(samples));
+  std::vector<lacuna::GuessedFile> recordings;
+  for (const lacuna::FileSample& sample : samples) recordings.push_back({sample.path, sample.run});
   const lacuna::RigGuess rig = lacuna::guess_rig(samples, {});
   std::vector<lacuna::Channel> sensors, actuators;
   for (const lacuna::MatchedColumn& sensor : rig.sensors) sensors.push_back(sensor.channel);
   for (const lacuna::MatchedColumn& command : rig.commands) actuators.push_back(command.channel);
-  require_whole(lacuna::read_recording(lacuna::source_of(rig, files), sensors, actuators));
+  require_whole(lacuna::read_recording(lacuna::source_of(rig, recordings), sensors, actuators));
 }
 
 }  // namespace

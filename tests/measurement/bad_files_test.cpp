@@ -77,14 +77,16 @@ std::vector<BadFile> refused_files() {
       {"thousands_separators", "t;q;u\n0,0;1.234,5;2\n0,1;1.234,5;2\n", "run.csv:2: column `q` has `1.234,5`", ""},
       {"comma_and_point_mixed", "t;q;u\n0.0;1,5;2\n0.1;1.5;2\n", "if that is a decimal comma, all numbers", ""},
       {"open_quote", "t,q,u\n0,1,2\n0.1,\"1,2\n0.2,1,2\n", "run.csv:3: a quoted cell is not closed", ""},
-      {"utf16", utf16("t,q,u\n" + kSamples, true), "run.csv: is UTF-16 text; save it as UTF-8", ""},
-      {"utf16_without_mark", utf16("t,q,u\n" + kSamples, false), "run.csv: is UTF-16 text", ""},
       {"spreadsheet", "PK\x03\x04zip"s, "run.csv: is a spreadsheet", ""},
       {"gzip", "\x1f\x8b\x08zip", "run.csv: is compressed with gzip; unpack", ""},
       {"matlab", "MATLAB 5.0 MAT-file, Platform: GLNXA64", "run.csv: is a MATLAB file; give it a name", ""},
       {"parquet", "PAR1 and so on", "run.csv: is a Parquet file; in Python write pandas.read_parquet", ""},
       {"hdf5", "\x89HDF\r\n\x1a\n and so on", "run.csv: is an HDF5 file; in Python write numpy.savez", ""},
       {"rosbag1", "#ROSBAG V2.0", "run.csv: is a bag of ROS 1; convert it with rosbags-convert", ""},
+      {"robot_file", "<?xml version=\"1.0\"?>\n<robot name=\"arm\">\n</robot>\n",
+       "run.csv: is a robot file, not a recording; name the robot under model.file or by --robot", ""},
+      {"toml_robot", "[robot]\nname = \"arm\"\n", "run.csv: is a robot file, not a recording", ""},
+      {"other_xml", "<log><t>0</t></log>\n", "run.csv: is XML, not a recording; export", ""},
       {"binary", "\x01\x02\x03\x04\x05\x06\x07\x08\x0e\x0f garbage", "run.csv: is a binary file", ""},
       {"zero_bytes_at_the_end", "t,q,u\n" + kSamples + "# " + std::string(4000, '-') + "\n" + std::string(64, '\0'),
        "run.csv:6: zero bytes", ""},
@@ -175,6 +177,8 @@ std::vector<BadFile> readable_files() {
       {"greek_names", "t,q,u,\xcf\x86\n0,1,2,20\n0.1,1.5,2.5,20\n0.2,2,3,20\n", "", ""},
       {"other_columns_of_text", "t,mode,q,u\n0,auto,1,2\n0.1,auto,1.5,2.5\n0.2,inf,2,3\n", "", ""},
       {"plus_signs", "t,q,u\n+0,+1,2e0\n+1e-1,+1.5,+2.5\n.2,2.,3\n", "", ""},
+      {"utf16", utf16("t,q,u\n" + kSamples, true), "", "run.csv: is UTF-16 text, and is read as such"},
+      {"utf16_without_mark", utf16("t,q,u\n" + kSamples, false), "", "run.csv: is UTF-16 text"},
       {"no_end_of_last_line", "t,q,u\n0,1,2\n0.1,1.5,2.5\n0.2,2,3", "", ""},
       {"breaks_off", "t,q,u\n" + kSamples + "0.3,1.", "", "run.csv:5: the file breaks off in its last line"},
       {"same_row_twice", "t,q,u\n0,1,2\n0.1,1.5,2.5\n0.1,1.5,2.5\n0.2,2,3\n", "",
@@ -234,6 +238,19 @@ TEST_F(OddFiles, FolderAndMissingAndUnreadableFilesAreNamed) {
   if (::geteuid() != 0) {  // root may read everything
     EXPECT_THAT(complaint_of(pendulum_source(locked)), testing::HasSubstr("locked.csv: cannot be opened"));
   }
+}
+
+TEST_F(OddFiles, ANumberThatTheEndOfTheFileCutsOffIsNamedAndLeftOut) {
+  const std::string lines =
+      "t,q,u\n0,1,2.125\n0.1,1.5,2.250\n0.2,2,3.000\n0.3,2,3.125\n0.4,2,3.250\n0.5,2,3.375\n0.6,2,";
+  const Recording cut = read_pendulum(pendulum_source(folder_.write("run.csv", lines + "3.5")));
+  EXPECT_EQ(cut.trials.at(0).measured.times.size(), 6);
+  EXPECT_THAT(notes_of(cut),
+              testing::HasSubstr("run.csv:8: the file ends in the middle of a line: its last number, `3.5`, "
+                                 "has fewer digits than all numbers above it; the line is left out"));
+  const Recording whole = read_pendulum(pendulum_source(folder_.write("run.csv", lines + "3.500")));
+  EXPECT_EQ(whole.trials.at(0).measured.times.size(), 7);
+  EXPECT_EQ(notes_of(whole), "");
 }
 
 TEST_F(OddFiles, MissingSamplesAreCountedAndBecomeNaN) {

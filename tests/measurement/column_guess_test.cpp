@@ -69,7 +69,10 @@ TEST(ColumnWords, AreSplitAtCaseAndDigits) {
   EXPECT_EQ(joint_in_words(words_of("ElbowAngle_deg")), "elbow");
   EXPECT_EQ(role_in_words(words_of("theta_dot")), ColumnRole::velocity);
   EXPECT_EQ(role_in_words(words_of("theta_ref")), ColumnRole::reference);
-  EXPECT_EQ(role_in_words(words_of("temperature")), std::nullopt);
+  EXPECT_EQ(role_in_words(words_of("blue")), std::nullopt);
+  EXPECT_EQ(role_in_words(words_of("temperature")), ColumnRole::other);
+  EXPECT_EQ(role_in_words(words_of("main_voltage")), ColumnRole::other);
+  EXPECT_EQ(role_in_words(words_of("bus_current")), ColumnRole::other);
   EXPECT_THAT(words_of("Motorstrom in A"), ElementsAre("motor", "strom"));
   EXPECT_THAT(words_of("Sollwinkel"), ElementsAre("soll", "winkel"));
   EXPECT_THAT(words_of("Pendelwinkel"), ElementsAre("pendel", "winkel"));

@@ -1,3 +1,4 @@
+#include "measurement/logged_drives.h"
 #include "measurement/rig_guess.h"
 #include "measurement_fixture.h"
 
@@ -96,7 +97,7 @@ TEST_F(MatchRobot, TakesTheOnlyColumnOfAUnit) {
   EXPECT_THAT(pairs(rig), ElementsAre("encoder=theta_deg", "drive=tau_Nm"));
   EXPECT_EQ(rig.sensors[0].channel.unit, "rad");
   EXPECT_THAT(rig.unmatched, IsEmpty());
-  const RecordingSource source = source_of(rig, {"run.csv"});
+  const RecordingSource source = source_of(rig, {{"run.csv"}});
   EXPECT_EQ(source.sensors[0].channel, "encoder");
   EXPECT_EQ(source.commands[0].channel, "drive");
 }
@@ -137,6 +138,30 @@ TEST_F(MatchRobot, TakesNumbersThatAllBelongToJoints) {
               ElementsAre("hip_encoder=q_0", "knee_encoder=q_1", "m1=tau_0", "m2=tau_1"));
 }
 
+/// q1 has the name of joint q1, and is the second all the same.
+TEST_F(MatchRobot, DoesNotCrossListsThatCountFromZero) {
+  RobotSpec robot = bare_arm({"q1", "q2", "q3"});
+  for (const char* joint : {"q1", "q2", "q3"}) {
+    add_sensor(robot, joint, SensorKind::joint_position, joint);
+    add_motor(robot, joint, joint);
+  }
+  const RigGuess rig = guess("q0,q1,q2,tau_0,tau_1,tau_2", robot);
+  EXPECT_THAT(pairs(rig), ElementsAre("q1=q0", "q2=q1", "q3=q2", "q1=tau_0", "q2=tau_1", "q3=tau_2"));
+  EXPECT_EQ(rig.sensors[0].column.reason, "its number, counted from 0 where the joints' are from 1");
+  EXPECT_THAT(pairs(guess("q1,q2,q3", robot)), ElementsAre("q1=q1", "q2=q2", "q3=q3"));
+  EXPECT_THAT(pairs(guess("q2,q3", robot)), ElementsAre("q2=q2", "q3=q3")) << "not all joints";
+}
+
+/// As drivers of industrial arms log them.
+TEST_F(MatchRobot, TellsTorquesFromCurrentsGoalsTemperaturesAndSupplies) {
+  const RigGuess rig = guess(
+      "target_q_0,target_q_1,actual_q_0,actual_q_1,actual_current_0,actual_current_1,effort_0,effort_1,"
+      "joint_temperatures_0,joint_temperatures_1,main_voltage",
+      two_joints());
+  EXPECT_THAT(pairs(rig),
+              ElementsAre("hip_encoder=actual_q_0", "knee_encoder=actual_q_1", "m1=effort_0", "m2=effort_1"));
+}
+
 TEST_F(MatchRobot, LeavesOpenWhatIsAmbiguous) {
   RobotSpec robot = one_joint();
   add_sensor(robot, "tacho", SensorKind::joint_velocity, "pivot");
@@ -170,6 +195,35 @@ TEST_F(MatchRobot, GivesAServoTheReference) {
   robot.actuators[0].kind = ActuatorKind::position_servo;
   EXPECT_THAT(pairs(guess("angle_deg,angle_ref_deg", robot)), ElementsAre("encoder=angle_deg", "drive=angle_ref_deg"));
   EXPECT_THAT(pairs(guess("angle_deg,angle_ref_deg", one_joint())), ElementsAre("encoder=angle_deg"));
+}
+
+class LoggedDrives : public testing::Test {
+ protected:
+  std::optional<ActuatorKind> drive(const std::string& columns, const RobotSpec& robot) const {
+    std::string text = "t_s," + columns + "\n";
+    for (int row = 0; row < 5; ++row) {
+      text += fmt::format("{}", 0.01 * row);
+      for (int c = 0; c <= std::count(columns.begin(), columns.end(), ','); ++c)
+        text += fmt::format(",{}", (c + row * row) % 3);
+      text += "\n";
+    }
+    return logged_drive(sample_file(folder_.write("run.csv", text)), {}, robot);
+  }
+  TestFolder folder_;
+};
+
+TEST_F(LoggedDrives, AreServosWhereGoalsWereLoggedAndNoTorques) {
+  EXPECT_EQ(drive("q0,q1,goal_q0,goal_q1", two_joints()), ActuatorKind::position_servo);
+  EXPECT_EQ(drive("v0_rad_s,v1_rad_s,cmd_v0_rad_s,cmd_v1_rad_s", two_joints()), ActuatorKind::velocity_servo);
+  EXPECT_EQ(drive("q0,q1,goal_q0,goal_q1,effort_0,effort_1", two_joints()), std::nullopt);
+  EXPECT_EQ(drive("q0,q1,effort_0,effort_1", two_joints()), std::nullopt) << "as the robot has it";
+}
+
+TEST_F(LoggedDrives, AreTorquesOfServosWhoseGoalsWereNotLogged) {
+  RobotSpec servos = two_joints();
+  for (ActuatorSpec& actuator : servos.actuators) actuator.kind = ActuatorKind::position_servo;
+  EXPECT_EQ(drive("q0,q1,effort_0,effort_1", servos), ActuatorKind::force);
+  EXPECT_EQ(drive("q0,q1,goal_q0,goal_q1,effort_0,effort_1", servos), std::nullopt);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "app/commands/commands.h"
 #include "app/terminal/output.h"
+#include "app/workspace/draft_questions.h"
+#include "app/workspace/draft_report.h"
 #include "app/workspace/rig_draft.h"
 #include "config/robot_reader.h"
 #include "config/text_file.h"
 #include "config/toml_parser.h"
+#include "evaluation/joint_drives.h"
 #include "evaluation/recording_files.h"
 #include "evaluation/robot_files.h"
 #include "foundation/counted.h"
@@ -13,6 +16,8 @@
 #include "foundation/unit.h"
 #include "foundation/whole_file.h"
 #include "measurement/clock_check.h"
+#include "measurement/header_names.h"
+#include "measurement/logged_drives.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -122,76 +127,40 @@ RobotSpec read_known_robot(const std::filesystem::path& file, FormatPlugins& plu
   return read_robot_text(text, file);
 }
 
+/// Columns as the runs call them.
+ColumnHints without_runs(ColumnHints hints) {
+  const auto shorten = [](std::string& name) { name = name_and_run(name).text; };
+  shorten(hints.time);
+  for (auto* names : {&hints.positions, &hints.velocities, &hints.commands})
+    for (std::string& name : *names) shorten(name);
+  return hints;
+}
+
+/// A robot file of others says seldom what was commanded; the recordings do.
+void settle_drive(const FileSample& sample, const ColumnHints& hints, RigDraft& draft) {
+  draft.drive = logged_drive(sample, hints, *draft.known_robot);
+  if (!draft.drive) return;
+  for (ActuatorSpec& actuator : draft.known_robot->actuators) set_drive(actuator, *draft.drive);
+}
+
 RigDraft make_draft(const NewOptions& options, FormatPlugins& plugins) {
   RigDraft draft;
   draft.experiment = options.experiment;
-  draft.files = options.files;
   draft.robot = options.robot;
   if (options.robot.empty())
     draft.robot = draft.experiment.parent_path() / (draft.experiment.stem().string() + "-robot.toml");
   else
     draft.known_robot = read_known_robot(options.robot, plugins);
   std::vector<FileSample> samples;
-  for (const std::filesystem::path& file : draft.files)
-    samples.push_back(sample_file(file, plugins.recording_formats(draft.files)));
-  draft.guess =
-      draft.known_robot ? guess_rig(samples, options.hints, *draft.known_robot) : guess_rig(samples, options.hints);
+  for (const std::filesystem::path& file : options.files)
+    samples.push_back(sample_file(file, plugins.recording_formats(options.files)));
+  samples = samples_of_runs(std::move(samples));
+  for (const FileSample& sample : samples) draft.files.push_back({sample.path, sample.run});
+  const ColumnHints hints = samples.front().run.empty() ? options.hints : without_runs(options.hints);
+  if (draft.known_robot && draft.robot.extension() != ".toml") settle_drive(samples.front(), hints, draft);
+  draft.guess = draft.known_robot ? guess_rig(samples, hints, *draft.known_robot) : guess_rig(samples, hints);
   draft.first_file = std::move(samples.front());
   return draft;
-}
-
-void print_column(const std::string& what, const GuessedColumn& column, const std::string& reason) {
-  std::printf("  %-18s column %s%s%s (%s)\n", what.c_str(), column.name.c_str(), column.unit.empty() ? "" : " in ",
-              column.unit.c_str(), reason.c_str());
-}
-
-void print_joints(const RigGuess& guess) {
-  for (const GuessedJoint& joint : guess.joints) {
-    std::printf("  %-18s a %s\n", ("joint." + joint.name).c_str(), joint.slides ? "slider" : "hinge");
-    if (joint.position) print_column("  " + joint.position_sensor(), *joint.position, joint.position->reason);
-    if (joint.velocity) print_column("  " + joint.velocity_sensor(), *joint.velocity, joint.velocity->reason);
-    if (joint.command) print_column("  " + joint.motor(), *joint.command, joint.command->reason);
-  }
-}
-
-void print_matches(const RigGuess& guess) {
-  for (const MatchedColumn& match : guess.sensors)
-    print_column("sensor." + match.channel.name, match.column, match.column.reason);
-  for (const MatchedColumn& match : guess.commands)
-    print_column("actuator." + match.channel.name, match.column, match.column.reason);
-  for (const UnmatchedChannel& left : guess.unmatched)
-    std::printf("  %-18s %s.%s in %s: %s\n", "not matched", left.is_actuator ? "actuator" : "sensor",
-                left.channel.name.c_str(), left.channel.unit.c_str(), reason_of(left).c_str());
-}
-
-void print_guesses(const RigDraft& draft) {
-  const RigGuess& guess = draft.guess;
-  std::printf("guessed\n");
-  print_column("time", guess.time, guess.time.reason);
-  if (guess.trial) print_column("trials", *guess.trial, guess.trial->reason);
-  if (draft.known_robot)
-    print_matches(guess);
-  else
-    print_joints(guess);
-  for (const GuessedColumn& column : guess.unused) print_column("not used", column, column.reason);
-  std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first", guess.hold_reason.c_str());
-  if (draft.interval > 0.0)
-    std::printf("  %-18s %.4g Hz, %s\n", "sampling", 1.0 / draft.interval,
-                counted(draft.recording->trials.size(), "trial").c_str());
-  if (!guess.trial && draft.files.size() > 1)
-    std::printf("  %-18s %s (the last file)\n", "held out", draft.files.back().filename().c_str());
-}
-
-/// The lines with blanks, as places to go to.
-void print_blanks(const std::filesystem::path& file, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.starts_with('#') || line.find('"' + std::string(kBlank)) == line.npos) continue;
-    const std::size_t comment = line.find("  # ");
-    std::printf("  %s  %s\n", to_string(SourceLocation{file.string(), number, 0}).c_str(),
-                line.substr(0, std::min(comment, line.find_last_not_of(' ', comment) + 1)).c_str());
-  }
 }
 
 void make_new(const NewOptions& options) {
@@ -201,9 +170,13 @@ void make_new(const NewOptions& options) {
   RigDraft draft = make_draft(options, plugins);
   const bool writes_robot = !draft.known_robot;
   if (writes_robot) refuse_existing(draft.robot);
-  const std::string problems = read_recordings(draft, plugins.recording_formats(draft.files));
-  const std::string experiment = experiment_text(draft);
-  const std::string robot = writes_robot ? robot_text(draft) : "";
+  const std::string problems = read_recordings(draft, plugins.recording_formats(options.files));
+  std::string experiment = experiment_text(draft);
+  std::string robot = writes_robot ? robot_text(draft) : "";
+  if (asks_at_terminal()) {
+    print_guesses(draft);
+    ask_for_blanks(draft, experiment, robot);
+  }
   NewFiles files;
   if (writes_robot) files.add(draft.robot, robot);
   files.add(draft.experiment, experiment);
@@ -212,13 +185,14 @@ void make_new(const NewOptions& options) {
   std::printf("%s%s written from %s\n", plain_text(draft.experiment.string()).c_str(),
               writes_robot ? (" and " + plain_text(draft.robot.string())).c_str() : "",
               counted(draft.files.size(), "recording").c_str());
-  print_guesses(draft);
+  if (!asks_at_terminal()) print_guesses(draft);
   if (draft.recording)
     for (const ReadingNote& note : draft.recording->notes)
       std::printf("note  %s: %s\n", to_string(note.location).c_str(), note.message.c_str());
   if (!problems.empty())
     std::printf("to be mended in the recordings, or told in the experiment\n%s\n", problems.c_str());
-  if (writes_robot || experiment.find('"' + std::string(kBlank)) != experiment.npos) std::printf("fill in\n");
+  const std::string blank = '"' + std::string(kBlank);
+  if (robot.find(blank) != robot.npos || experiment.find(blank) != experiment.npos) std::printf("fill in\n");
   print_blanks(draft.experiment, experiment);
   if (writes_robot) print_blanks(draft.robot, robot);
   std::printf("then  lacuna check %s\n", shell_word(draft.experiment.string()).c_str());

@@ -1,5 +1,6 @@
 #include "app/workspace/controller_draft.h"
 
+#include "app/workspace/draft_text.h"
 #include "config/toml_node.h"
 #include "foundation/plain_text.h"
 #include "foundation/unit.h"
@@ -7,6 +8,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -145,6 +147,12 @@ std::string text_of(const ControlledColumns& of, const std::optional<FittedLaw>&
 
 }  // namespace
 
+bool is_drafted_set_point(const RigDraft& draft, const GuessedColumn& column) {
+  return draft.first_file && std::ranges::any_of(controlled_columns(draft.guess), [&](const ControlledColumns& one) {
+           return one.reference.name == column.name;
+         });
+}
+
 std::string controllers_text(const RigDraft& draft) {
   const std::vector<ControlledColumns> all = controlled_columns(draft.guess);
   if (all.empty() || !draft.first_file) return "";
@@ -157,7 +165,7 @@ std::string controllers_text(const RigDraft& draft) {
   for (const ControlledColumns& one : all) {
     const std::optional<FittedLaw> law = law_of(*draft.first_file, draft.guess.time, one);
     text += law ? fmt::format("# fitted to {}: it explains all but {:.2g} % of the command's deviation\n",
-                              plain_text(draft.files.front().filename().string()), 100.0 * law->left)
+                              plain_text(draft.first_file->label()), 100.0 * law->left)
                 : "# no proportional, integral and derivative gains explain these commands: fill in the law of the "
                   "controller\n";
     text += text_of(one, law);

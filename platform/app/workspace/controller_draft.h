@@ -12,4 +12,7 @@ namespace lacuna {
 /// is no such column.
 std::string controllers_text(const RigDraft& draft);
 
+/// Whether that draft has a column as a set point.
+bool is_drafted_set_point(const RigDraft& draft, const GuessedColumn& column);
+
 }  // namespace lacuna

@@ -1,12 +1,13 @@
 #include "app/workspace/rig_draft.h"
 
 #include "app/workspace/controller_draft.h"
+#include "app/workspace/draft_text.h"
+#include "app/workspace/target_draft.h"
 #include "config/toml_node.h"
+#include "fitting/restarts.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
 #include "foundation/shell_word.h"
-#include "foundation/unit.h"
-#include "measurement/rest_noise.h"
 
 #include <fmt/format.h>
 
@@ -20,235 +21,89 @@ namespace {
 constexpr double kLongestStep = 1e-2;   // s; where a model needs finer steps, they are cut into substeps
 constexpr double kFitHorizon = 2.0;     // s
 constexpr double kLongRecording = 6.0;  // s
-constexpr int kCommentColumn = 40;
 
-/// A line with its comment to the right of it. A column's name may be in the comment, and may have line breaks in it.
-std::string with_comment(const std::string& line, const std::string& comment) {
-  return fmt::format("{:<{}}# {}\n", line + "  ", kCommentColumn, plain_text(comment));
+/// The largest size of a channel, 0 where it is not there.
+double largest(const TimeSeries& series, const std::string& channel) {
+  double size = 0.0;
+  for (std::size_t c = 0; c < series.channels.size(); ++c)
+    if (series.channels[c].name == channel)
+      for (const double value : series.samples.col(static_cast<Eigen::Index>(c)))
+        if (std::isfinite(value)) size = std::max(size, std::abs(value));
+  return size;
 }
 
-/// A path as the experiment names it: from its own folder where the file is not far from it.
-std::string path_in_file(const std::filesystem::path& file, const std::filesystem::path& experiment) {
-  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-  const std::filesystem::path folder = std::filesystem::absolute(experiment).lexically_normal().parent_path();
-  const std::string near = whole.lexically_proximate(folder).string();
-  return near.starts_with("../../") ? whole.string() : near;
+/// Bounds about a value of the robot: half of it to twice as much, or, where that is 0, up to what is `usual`.
+std::string bounds_about(double value, double usual, const std::string& unit) {
+  const double lower = value > 0.0 ? 0.5 * value : 0.0, upper = value > 0.0 ? 2.0 * value : usual;
+  if (unit.empty()) return fmt::format("[{:.3g}, {:.3g}]", lower, upper);
+  return fmt::format("[\"{:.3g} {}\", \"{:.3g} {}\"]", lower, unit, upper, unit);
 }
 
-bool has_dimension(const std::string& unit, const std::string& of) {
-  const std::optional<Unit> a = parse_unit(unit), b = parse_unit(of);
-  return a && b && a->same_dimension(*b);
-}
-
-/// What the recordings tell about a sensor's noise: the key, and the reason for the comment.
-struct NoiseText {
-  std::string key;
-  std::string reason;
-};
-
-NoiseText noise_of(const RigDraft& draft, const std::string& channel, const std::string& unit,
-                   const std::string& column_unit) {
-  if (!draft.recording) return {};
-  std::vector<Trial> fit;
-  for (const Trial& trial : draft.recording->trials)
-    if (!trial.held_out) fit.push_back(trial);
-  const SensorNoise noise = estimate_sensor_noise(fit, channel);
-  if (!(noise.standard_deviation > 0.0)) return {"", "noise " + noise.origin(unit)};
-  const double written = noise.standard_deviation / parse_unit(column_unit)->to_si;
-  return {fmt::format(", noise = \"{:.3g} {}\"", written, column_unit), "noise: " + noise.origin(unit)};
-}
-
-std::string unit_or_blank(const GuessedColumn& column, const std::string& si_unit) {
-  return has_dimension(column.unit, si_unit) ? toml_text(column.unit) : blank("");
-}
-
-std::string sensor_line(const RigDraft& draft, const MatchedColumn& match) {
-  const auto& [channel, column] = match;
-  if (column.of_voltage && !column.unit.empty())
-    return with_comment(
-        fmt::format("{} = {{ column = {}, unit = {}, gain = {} }}", toml_key(channel.name), toml_text(column.name),
-                    toml_text(column.unit), blank(fmt::format("{}/{}", channel.unit, column.unit))),
-        "guessed: " + column.reason + "; the gain is the sensor's");
-  const bool known = has_dimension(column.unit, channel.unit);
-  const NoiseText noise = known ? noise_of(draft, channel.name, channel.unit, column.unit) : NoiseText{};
-  const std::string line = fmt::format("{} = {{ column = {}, unit = {}{} }}", toml_key(channel.name),
-                                       toml_text(column.name), unit_or_blank(column, channel.unit), noise.key);
-  std::string comment = "guessed: " + column.reason;
-  if (!known) comment += "; unit as in rad, deg, m, mm, rad/s; of an encoder's counts \"1\" and counts_per_turn = 4096";
-  if (!noise.reason.empty()) comment += "; " + noise.reason;
-  return with_comment(line, comment);
-}
-
-std::string command_text(const MatchedColumn& match) {
-  const GuessedColumn& column = match.column;
-  const std::string& wanted = match.channel.unit;
-  std::string line = fmt::format("{} = {{ column = {}, unit = ", toml_key(match.channel.name), toml_text(column.name));
-  std::string comment = "guessed: " + column.reason;
-  if (column.unit.empty()) {
-    line += blank("") + " }";
-    comment += wanted == "V" ? std::string("; unit V or mV")
-                             : fmt::format("; unit {}, or another with a gain such as \"2.5 {}/V\"", wanted, wanted);
-  } else if (has_dimension(column.unit, wanted)) {
-    line += toml_text(column.unit) + " }";
-  } else {
-    line += fmt::format("{}, gain = {} }}", toml_text(column.unit), blank(wanted + "/" + column.unit));
-    comment += fmt::format("; the gain turns {} into {}", column.unit, wanted);
-    if (has_dimension(column.unit, "A")) comment += ": the motor's constant, seen at the joint";
-    if (has_dimension(column.unit, "V"))
-      comment += ", as a drive that controls the current does; for a motor at this voltage make its kind \"voltage\"";
+/// The largest command that was logged over the largest velocity, of a joint: what damping cannot exceed.
+double usual_damping(const RigDraft& draft, const RobotSpec& robot, const JointSpec& joint) {
+  constexpr double kUnknown = 1.0;  // N*m*s/rad or N*s/m
+  if (!draft.recording) return kUnknown;
+  double force = 0.0, speed = 0.0;
+  for (const Trial& trial : draft.recording->trials) {
+    for (const ActuatorSpec& actuator : robot.actuators)
+      if (actuator.joint == joint.name && actuator.kind == ActuatorKind::force)
+        force = std::max(force, largest(trial.commands.series, actuator.name));
+    for (const SensorSpec& sensor : robot.sensors)
+      if (sensor.element == joint.name && sensor.kind == SensorKind::joint_velocity)
+        speed = std::max(speed, largest(trial.measured, sensor.name));
   }
-  return with_comment(line, comment);
+  return force > 0.0 && speed > 0.0 ? force / speed : kUnknown;
 }
 
-/// A line for each channel of the robot that got no column.
-std::string unmatched_text(const RigGuess& guess, bool actuators) {
+/// Gains of servos that the recordings show and the robot file does not have are not known at all.
+std::string free_gains(const RigDraft& draft, const RobotSpec& robot) {
   std::string text;
-  for (const UnmatchedChannel& left : guess.unmatched)
-    if (left.is_actuator == actuators)
-      text += fmt::format("# not matched: {} in {}, {}\n", left.channel.name, left.channel.unit, reason_of(left));
+  if (!draft.drive || *draft.drive == ActuatorKind::force) return text;
+  for (const ActuatorSpec& actuator : robot.actuators)
+    for (const auto& [key, value] : {std::pair("kp", actuator.kp), std::pair("kd", actuator.kd)})
+      if (value > 0.0)
+        text += fmt::format("\"actuator.{}.{}\" = [{:.3g}, {:.3g}]\n", actuator.name, key, 0.02 * value, 50.0 * value);
   return text;
 }
 
-std::string file_list(const RigDraft& draft, bool held_out) {
-  const std::size_t fit = draft.files.size() - (draft.files.size() > 1 && !draft.guess.trial ? 1 : 0);
-  const bool one = (held_out ? draft.files.size() - fit : fit) == 1;
-  std::string list;
-  for (std::size_t i = held_out ? fit : 0; i < (held_out ? draft.files.size() : fit); ++i)
-    list += (one ? "" : "\n  ") + toml_text(path_in_file(draft.files[i], draft.experiment)) + (one ? "" : ",");
-  return "[" + list + (one ? "]" : "\n]");
-}
-
-/// The last trial's name in a column of trials: `runs.csv[3]` → 3.
-std::string last_trial(const RigDraft& draft) {
-  if (!draft.recording || draft.recording->trials.size() < 2) return {};
-  const std::string& name = draft.recording->trials.back().name;
-  const std::size_t open = name.rfind('[');
-  return open == name.npos ? "" : name.substr(open + 1, name.size() - open - 2);
-}
-
-std::string target_text(const RigDraft& draft) {
-  const RigGuess& guess = draft.guess;
-  std::string text = "[target]\nkind = \"recorded\"\nfiles = " + file_list(draft, false) + "\n";
-  if (guess.trial) {
-    text += with_comment("trial_column = " + toml_text(guess.trial->name), "guessed: " + guess.trial->reason);
-    if (const std::string last = last_trial(draft); !last.empty())
-      text += with_comment("holdout_trials = [" + toml_text(last) + "]", "guessed: the last one; kept from every fit");
-  } else if (draft.files.size() > 1) {
-    text += with_comment("holdout = " + file_list(draft, true), "guessed: the last file; kept from every fit");
-  }
-  text += with_comment(guess.hold == Hold::zero_order ? "hold = \"zero\"" : "hold = \"first\"",
-                       "guessed: " + guess.hold_reason);
-  text += "\n[target.time]\n" +
-          with_comment("column = " + toml_text(guess.time.name), "guessed: " + guess.time.reason) +
-          with_comment("unit = " + toml_text(guess.time.unit), "guessed: " + guess.time_unit_reason);
-  return text;
-}
-
-std::string columns_text(const RigDraft& draft) {
-  const RigGuess& guess = draft.guess;
-  std::string text = "\n[target.sensors]                        # named like the robot's sensors\n";
-  for (const MatchedColumn& sensor : guess.sensors) text += sensor_line(draft, sensor);
-  text += unmatched_text(guess, false);
-  text += "\n[target.commands]                       # named like the robot's actuators\n";
-  for (const MatchedColumn& command : guess.commands) text += command_text(command);
-  text += unmatched_text(guess, true);
-  for (const GuessedColumn& column : guess.unused)
-    text += fmt::format("# not used: column {}, {}\n", toml_text(column.name), plain_text(column.reason));
-  return text;
-}
-
-/// Values of the model that a user may want to free, as examples.
-std::string free_text(const RobotSpec& robot) {
+/// Values of the model that a user may want to free, as examples; of a known robot, about its own values.
+std::string free_text(const RigDraft& draft) {
+  const RobotSpec robot = robot_of(draft);
   std::string text = "\n[model.free]                            # what the fit may change, and how far\n";
-  if (!robot.bodies.empty())
-    text += fmt::format("# \"body.{}.mass\" = [\"0.5 kg\", \"2 kg\"]\n", robot.bodies.front().name);
-  if (!robot.joints.empty()) text += fmt::format("# \"joint.{}.damping\" = [0.0, 1.0]\n", robot.joints.front().name);
+  text += free_gains(draft, robot);
+  const auto moved = std::ranges::find_if(robot.bodies, [](const BodySpec& body) { return body.mass > 0.0; });
+  if (moved != robot.bodies.end())
+    text += fmt::format("# \"body.{}.mass\" = {}\n", moved->name,
+                        bounds_about(draft.known_robot ? moved->mass : 1.0, 1.0, "kg"));
+  const auto turns =
+      std::ranges::find_if(robot.joints, [](const JointSpec& joint) { return joint.kind != JointKind::fixed; });
+  if (turns != robot.joints.end())
+    text += fmt::format("# \"joint.{}.damping\" = {}\n", turns->name,
+                        bounds_about(turns->damping, usual_damping(draft, robot, *turns), ""));
   return text;
+}
+
+/// What was commanded, where the robot file says something else.
+std::string drive_text(const RigDraft& draft) {
+  if (!draft.drive) return "";
+  const bool is_force = *draft.drive == ActuatorKind::force, is_position = *draft.drive == ActuatorKind::position_servo;
+  return with_comment(fmt::format("actuator_kinds = {{ \"actuator.*\" = \"{}\" }}", is_force      ? "force"
+                                                                                    : is_position ? "position_servo"
+                                                                                                  : "velocity_servo"),
+                      is_force ? "guessed: torques were logged, and no goals"
+                               : "guessed: goals were logged, and no torques; the gains are to be fitted");
 }
 
 /// Errors of whole recordings add up; of long ones a part tells values better.
 std::string fit_text(const RigDraft& draft) {
+  const RobotSpec robot = robot_of(draft);
+  if (draft.recording && std::isfinite(restart_interval(robot, draft.recording->trials.front()))) return "";
   if (draft.shortest < kLongRecording) return "";
   return "\n[fit]\n" + with_comment(fmt::format("horizon = \"{:g} s\"", kFitHorizon),
                                     "of predictions that are fitted; \"whole\": of whole recordings");
 }
 
-std::string body_text(const GuessedJoint& joint, bool is_first) {
-  std::string text = fmt::format("\n[body.{}]\n", joint.body());
-  text += with_comment("mass = " + blank("kg"), "everything that moves with this joint");
-  if (joint.slides) {
-    text += with_comment("inertia = [1.0, 1.0, 1.0]", "kg*m^2; of no effect while nothing turns");
-    return text;
-  }
-  if (!is_first)
-    text += with_comment(fmt::format("at = [0.0, 0.0, {}]", blank("m")), "where the joint is, all joints at zero");
-  text += with_comment(fmt::format("com = [0.0, 0.0, {}]", blank("m")),
-                       "centre of mass, seen from the joint; negative: hanging");
-  const std::string moment = blank("kg*m^2");
-  text +=
-      with_comment(fmt::format("inertia = [{}, {}, {}]", moment, moment, moment),
-                   "about the centre of mass, along x, y, z; a slim rod has m*L^2/12 across and next to nothing along");
-  return text;
-}
-
-std::string joint_text(const GuessedJoint& joint, const std::string& body_before) {
-  std::string text = fmt::format("\n[joint.{}]\n", joint.name);
-  text += with_comment(joint.slides ? "kind = \"slider\"" : "kind = \"hinge\"", "guessed: from the columns' units");
-  if (!body_before.empty())
-    text += with_comment("parent = " + toml_text(std::string(kBlank) + " world or " + body_before),
-                         "the body that carries this joint");
-  text += "child = " + toml_text(joint.body()) + "\n";
-  text += joint.slides ? with_comment("axis = \"x\"", "guessed: horizontal, so that gravity does nothing")
-                       : with_comment("axis = \"y\"", "guessed: horizontal; at zero the arm is as com says");
-  return text;
-}
-
-std::string motor_text(const GuessedJoint& joint) {
-  std::string text = fmt::format("\n[actuator.{}]\njoint = {}\n", joint.motor(), toml_text(joint.name));
-  const std::string force = joint.slides ? "N" : "N*m";
-  if (joint.actuator == ActuatorKind::position_servo) {
-    text += with_comment("kind = \"position_servo\"", "guessed: the command is a position");
-    text += with_comment("kp = " + blank(force + "/" + position_unit(joint)), "stiffness of the servo");
-    text += with_comment("kd = " + blank(force + "*s/" + position_unit(joint)), "its damping");
-  } else if (joint.actuator == ActuatorKind::velocity_servo) {
-    text += with_comment("kind = \"velocity_servo\"", "guessed: the command is a velocity");
-    text += with_comment("kd = " + blank(force + "*s/" + position_unit(joint)), "gain of the servo");
-  } else if (joint.actuator == ActuatorKind::voltage) {
-    text += with_comment("kind = \"voltage\"",
-                         fmt::format("guessed: the voltage of a motor; if a drive makes a {0} of it, kind = \"force\" "
-                                     "here and a gain in {1}/V in the experiment",
-                                     joint.slides ? "force" : "torque", force));
-    text += fmt::format("\n[actuator.{}.motor]\n", joint.motor());
-    text += with_comment("torque_constant = " + blank(force + "/A"), "at the joint");
-    text += with_comment("resistance = " + blank("Ohm"), "of the winding and its driver");
-  } else {
-    text += with_comment("kind = \"force\"", "the command is a " + std::string(joint.slides ? "force" : "torque"));
-  }
-  return text;
-}
-
-std::string sensor_text(const GuessedJoint& joint) {
-  const auto sensor = [&](const std::string& name, const char* kind) {
-    return fmt::format("\n[sensor.{}]\nkind = \"{}\"\njoint = {}\n", name, kind, toml_text(joint.name));
-  };
-  std::string text;
-  if (joint.position) text += sensor(joint.position_sensor(), "joint_position");
-  if (joint.velocity) text += sensor(joint.velocity_sensor(), "joint_velocity");
-  return text;
-}
-
 }  // namespace
-
-std::string blank(const std::string& unit) {
-  return toml_text(unit.empty() ? std::string(kBlank) : kBlank + (" " + unit));
-}
-
-std::string reason_of(const UnmatchedChannel& left) {
-  if (left.candidates.empty()) return "no column fits";
-  std::string columns;
-  for (const std::string& name : left.candidates) columns += (columns.empty() ? "" : ", ") + name;
-  return (left.candidates.size() > 1 ? "several columns fit: " : "a column fits others as well: ") + columns;
-}
 
 RobotSpec robot_of(const RigDraft& draft) {
   return draft.known_robot ? *draft.known_robot : placeholder_robot(draft.guess);
@@ -276,60 +131,14 @@ std::string experiment_text(const RigDraft& draft) {
       "[experiment]\nname = {4}\nseed = 1\n\n",
       name, counted(draft.files.size(), "recording"), kBlank,
       plain_text(shell_word(draft.experiment.filename().string())), toml_text(name));
-  text += target_text(draft) + columns_text(draft) + controllers_text(draft);
-  text +=
-      fmt::format("\n[model]\nfile = {}\neffects = []\n{}{}\n[engine]\n",
-                  toml_text(path_in_file(draft.robot, draft.experiment)), free_text(robot_of(draft)), fit_text(draft));
+  text += target_text(draft) + controllers_text(draft);
+  text += fmt::format("\n[model]\nfile = {}\neffects = []\n{}{}{}\n[engine]\n",
+                      toml_text(path_in_file(draft.robot, draft.experiment)), drive_text(draft), free_text(draft),
+                      fit_text(draft));
   const std::string value = fmt::format("step = \"{:.4g} ms\"", 1e3 * step);
   return text + (draft.interval > 0.0
                      ? with_comment(value, fmt::format("the recordings' interval is {:.4g} ms", 1e3 * draft.interval))
                      : value + "\n");
-}
-
-std::string robot_text(const RigDraft& draft) {
-  const std::string name = rig_name(draft.experiment);
-  std::string text = fmt::format(
-      "# The robot of {}: one body a joint. Put values where it says {}; SI units, z up.\n"
-      "# What is not written here (friction, a spring, the rotor's inertia) is zero.\n\n[robot]\nname = {}\n",
-      plain_text(draft.experiment.filename().string()), kBlank, toml_text(name));
-  const std::vector<GuessedJoint>& joints = draft.guess.joints;
-  for (std::size_t i = 0; i < joints.size(); ++i) text += body_text(joints[i], i == 0);
-  for (std::size_t i = 0; i < joints.size(); ++i) text += joint_text(joints[i], i > 0 ? joints[i - 1].body() : "");
-  for (const GuessedJoint& joint : joints)
-    if (joint.command) text += motor_text(joint);
-  for (const GuessedJoint& joint : joints) text += sensor_text(joint);
-  return text;
-}
-
-RobotSpec placeholder_robot(const RigGuess& guess) {
-  RobotSpec robot;
-  for (const GuessedJoint& joint : guess.joints) {
-    BodySpec body;
-    body.name = joint.body();
-    robot.bodies.push_back(body);
-    JointSpec spec;
-    spec.name = joint.name;
-    spec.kind = joint.slides ? JointKind::slider : JointKind::hinge;
-    spec.child = joint.body();
-    robot.joints.push_back(spec);
-    if (joint.command) {
-      ActuatorSpec motor;
-      motor.name = joint.motor();
-      motor.joint = joint.name;
-      motor.kind = joint.actuator;
-      robot.actuators.push_back(motor);
-    }
-    const auto add_sensor = [&](const std::string& name, SensorKind kind) {
-      SensorSpec sensor;
-      sensor.name = name;
-      sensor.kind = kind;
-      sensor.element = joint.name;
-      robot.sensors.push_back(sensor);
-    };
-    if (joint.position) add_sensor(joint.position_sensor(), SensorKind::joint_position);
-    if (joint.velocity) add_sensor(joint.velocity_sensor(), SensorKind::joint_velocity);
-  }
-  return robot;
 }
 
 }  // namespace lacuna

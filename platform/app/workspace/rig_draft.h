@@ -18,7 +18,8 @@ struct RigDraft {
   std::filesystem::path experiment;      ///< to be written
   std::filesystem::path robot;           ///< to be written, or there already
   std::optional<RobotSpec> known_robot;  ///< of a file that is there; none: it is drafted too
-  std::vector<std::filesystem::path> files;
+  std::optional<ActuatorKind> drive;     ///< what all actuators take by what was logged; none: what the file says
+  std::vector<GuessedFile> files;
   std::optional<FileSample> first_file;  ///< the beginning of the first of them
   std::optional<Recording> recording;    ///< as read with the guess; none where the files have problems
   double interval = 0.0;                 ///< s, median; 0: not known
@@ -43,9 +44,6 @@ RobotSpec robot_of(const RigDraft& draft);
 
 /// The robot of the stub with blanks left at their defaults, to read the recordings with.
 RobotSpec placeholder_robot(const RigGuess& guess);
-
-/// A blank as it stands in a draft, `"FILL IN kg"` with its quotes; left as it is, `check` refuses it.
-std::string blank(const std::string& unit);
 
 /// A step for the engine: the sampling interval, or the largest part of it that is at most 10 ms. Without one, 1 ms.
 double step_for(double interval);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/workspace/rig_draft.h"
+
+#include <filesystem>
+#include <string>
+
+namespace lacuna {
+
+/// Prints what a draft was guessed from: the clock, a table of joints with their columns, what is not used, and the
+/// recordings.
+void print_guesses(const RigDraft& draft);
+
+/// Prints the lines of a file's text that have blanks, as places to go to.
+void print_blanks(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace lacuna
