@@ -1,5 +1,6 @@
 # What `lacuna plugins new` writes for each of KINDS (words separated by spaces, as they are typed) configures, builds
 # and passes its own test with the installed package alone, and the installed program works with it.
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 
 set(lacuna ${WORK}/prefix/bin/lacuna)
