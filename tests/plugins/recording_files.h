@@ -51,7 +51,9 @@ class FormatUnderTest {
     EXPECT_THAT(texts(read.problems), testing::IsEmpty());
     if (read.tables.size() != 1 || read.tables[0].columns.size() != 1) return {};
     std::vector<double> values = read.tables[0].columns[0];
-    for (double& value : values) value += read.tables[0].origins[0];
+    const double origin = read.tables[0].origins[0];
+    if (origin != 0.0)  // or −0 would become 0
+      for (double& value : values) value += origin;
     return values;
   }
 

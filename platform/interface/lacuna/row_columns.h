@@ -52,9 +52,11 @@ class NumberColumn {
     if (!std::isnan(values_.back())) return;
     if (!is_begun_ && (number.whole >= kLarge || number.whole <= -kLarge)) origin_ = number.whole;
     is_begun_ = true;
+    values_.back() = number.part;  // which keeps the sign of zero
+    if (number.whole == origin_) return;
     std::int64_t since = 0;
     const bool is_far = __builtin_sub_overflow(number.whole, origin_, &since);
-    values_.back() = (is_far ? static_cast<double>(number.whole) - origin() : static_cast<double>(since)) + number.part;
+    values_.back() += is_far ? static_cast<double>(number.whole) - origin() : static_cast<double>(since);
   }
   double origin() const { return static_cast<double>(origin_); }
   std::vector<double> take() { return std::move(values_); }
