@@ -1,5 +1,6 @@
 #include "config/text_file.h"
 
+#include "foundation/allowed_files.h"
 #include "foundation/problem.h"
 #include "foundation/process_limits.h"
 #include "foundation/special_file.h"
@@ -20,6 +21,7 @@ constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 20U;
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& file) {
+  check_may_read(file);
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure)) refuse(file, "is a folder; name a file in it");
   if (const std::string why = why_no_regular_file(file); !why.empty()) refuse(file, why);

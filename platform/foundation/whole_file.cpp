@@ -1,5 +1,6 @@
 #include "foundation/whole_file.h"
 
+#include "foundation/allowed_files.h"
 #include "foundation/special_file.h"
 #include "foundation/this_machine.h"
 
@@ -167,6 +168,7 @@ WholeFile::WholeFile(const fs::path& file, Link link)
       target_(link == Link::followed ? end_of_links(file) : file),
       direct_(link == Link::followed && is_written_directly(target_)),
       stream_(nullptr) {
+  check_may_write(target_);
   if (link == Link::followed && is_circle(target_))
     throw Error(file_.string() + ": cannot be written: " + kCircleOfLinks);
   struct stat old {};

@@ -1,5 +1,6 @@
 #include "loading/plugin_library.h"
 
+#include "foundation/allowed_files.h"
 #include "foundation/digest.h"
 #include "foundation/guarded_call.h"
 #include "foundation/plugin_libraries.h"
@@ -141,7 +142,8 @@ std::vector<PluginLoad> PluginLibrary::load_all(const std::vector<std::filesyste
   std::vector<PluginLoad> loads(files.size());
   std::vector<std::size_t> complete;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string problem = elf_problem(files[i]);
+    const std::string refusal = why_may_not_read(files[i]);
+    const std::string problem = refusal.empty() ? elf_problem(files[i]) : refusal;
     if (const auto refused = CallPage::refusal_of(files[i].string()))
       loads[i].problem = *refused;
     else if (problem.empty())

@@ -1,5 +1,7 @@
 #include "loading/plugin_catalog.h"
 
+#include "foundation/allowed_files.h"
+
 #include <cstdlib>
 #include <sstream>
 
@@ -12,6 +14,7 @@ std::filesystem::path installed_plugins() {
 }
 
 std::vector<std::filesystem::path> plugin_search_path(const std::vector<std::filesystem::path>& from_command_line) {
+  for (const std::filesystem::path& folder : from_command_line) check_may_read(folder);
   std::vector<std::filesystem::path> folders = from_command_line;
   if (const char* variable = std::getenv("LACUNA_PLUGIN_PATH")) {
     std::istringstream list(variable);

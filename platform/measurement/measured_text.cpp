@@ -1,5 +1,6 @@
 #include "measurement/measured_text.h"
 
+#include "foundation/allowed_files.h"
 #include "foundation/special_file.h"
 #include "measurement/utf8.h"
 
@@ -22,6 +23,7 @@ struct FileCloser {
 };
 
 std::string without_access(const std::filesystem::path& path) {
+  check_may_read(path);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return "is a folder; name the files in it one by one";
   if (!std::filesystem::exists(path, ignored)) return "there is no such file";

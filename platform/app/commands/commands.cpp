@@ -7,6 +7,7 @@
 #include "app/terminal/time_limit.h"
 #include "command_line/usage_error.h"
 #include "foundation/end_without_memory.h"
+#include "foundation/file_sandbox.h"
 #include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "foundation/plugin_call.h"
@@ -146,6 +147,7 @@ int run_program(int argc, char** argv) try {
   begin_evaluation_limit();
   try {
     messages_are_json();  // complains of LACUNA_MESSAGES before any work is done
+    enter_file_sandbox();
     prepare_limits();
     dense_kernels();  // complains of LACUNA_KERNELS before any work is done
     program.parse(argc, argv);

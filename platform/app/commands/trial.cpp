@@ -9,6 +9,7 @@
 #include "documents/setup_json.h"
 #include "evaluation/step_count.h"
 #include "evaluation/test_space.h"
+#include "foundation/allowed_files.h"
 #include "foundation/counted.h"
 #include "foundation/shell_word.h"
 #include "measurement/command_file.h"
@@ -189,6 +190,10 @@ void write_commands(const TrialOptions& options, const Test& test, bool takes_te
 void run_trial(const TrialOptions& options) {
   check_output(options.json, options.csv);
   const Rig rig = open_rig(options);
+  if (files_are_limited() && rig.experiment.target.kind == "process")
+    throw_problem(rig.experiment.where("target.kind"),
+                  "the target is a program, and none is started for an agent; carry the test out yourself: " +
+                      command_to_type("trial", options) + " --test " + shell_word(options.asked.test));
   const int replicate = last_replicate(database_of(options, rig.experiment), rig.experiment.name);
   TrialTarget target(rig.experiment, rig.definition, *rig.catalog, replicate);
   const RobotSpec& robot = target.robot() ? *target.robot() : rig.definition.structure.robot;

@@ -2,6 +2,7 @@
 
 #include "app/terminal/options.h"
 #include "config/experiment_reader.h"
+#include "foundation/allowed_files.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "foundation/special_file.h"
@@ -50,6 +51,7 @@ std::string line_with(const std::string& other, const std::string& file) {
 }  // namespace
 
 bool is_database(const fs::path& file) {
+  check_may_read(file);
   if (!why_no_regular_file(file).empty()) return false;
   std::array<char, kMagic.size()> begin{};
   std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());

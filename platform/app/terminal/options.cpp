@@ -4,6 +4,7 @@
 #include "app/terminal/output.h"
 #include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
+#include "foundation/allowed_files.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "foundation/whole_file.h"
@@ -33,6 +34,7 @@ CLI::Validator folder() {
 
 void note_database(const std::filesystem::path& database) {
   if (database.empty()) throw_problem({}, "the name of the database is empty; name a file");
+  check_may_read(database);
   std::error_code failure;
   std::ignore = std::filesystem::status(database, failure);
   if (failure == std::errc::too_many_symbolic_link_levels) throw_problem({database.string()}, kCircleOfLinks);

@@ -1,5 +1,6 @@
 #include "storage/core/database.h"
 
+#include "foundation/allowed_files.h"
 #include "foundation/problem.h"
 #include "storage/core/migrate.h"
 #include "storage/core/statement.h"
@@ -118,6 +119,7 @@ Database::~Database() {
 }
 
 Database Database::open(const std::filesystem::path& file, const std::vector<Migration>& migrations) {
+  check_may_write(file);
   Database database(file);
   database.connection_ = connect(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   if (sqlite3_db_readonly(database.handle(), "main") == 1) throw_storage_error(file, SQLITE_READONLY, "");
@@ -166,6 +168,7 @@ void Database::read_copy_of_this_version() {
 }
 
 Database Database::open_read_only(const std::filesystem::path& file) {
+  check_may_read(file);
   if (!std::filesystem::exists(file)) {
     throw_problem({file.string()},
                   "no such database; `lacuna compare` and `lacuna run` make one from an experiment file");
