@@ -193,9 +193,13 @@ void ChildProgram::end_what_it_began() {
   }
 }
 
+void ChildProgram::ask_to_end() {
+  if (!ended()) kill(-process_, SIGTERM);
+}
+
 ChildEnding ChildProgram::end(double grace) {
   if (const std::optional<ChildEnding> before = ended()) return *before;
-  if (grace > 0.0) kill(-process_, SIGTERM);
+  if (grace > 0.0) ask_to_end();
   if (!ended_within(grace)) {
     kill(-process_, SIGKILL);
     while (!ended_within(1.0)) {

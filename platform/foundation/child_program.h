@@ -73,6 +73,8 @@ class ChildProgram {
   std::optional<ChildEnding> ended();
   /// The same, after waiting for `seconds` at most.
   std::optional<ChildEnding> ended_within(double seconds);
+  /// Asks it and its group to end (SIGTERM), and does not wait.
+  void ask_to_end();
   /// Asks it to end (SIGTERM), and ends it (SIGKILL) when `grace` s did not suffice.
   ChildEnding end(double grace);
 

@@ -135,6 +135,7 @@ int run_program(int argc, char** argv) try {
   add_sql_command(program);
   add_report_command(program);
   add_serve_command(program);
+  add_mcp_command(program);
   add_help_command(program);
 
   load_unwinder();

@@ -37,6 +37,7 @@ void add_verify_command(CLI::App& program);
 void add_sql_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_serve_command(CLI::App& program);
+void add_mcp_command(CLI::App& program);
 void add_help_command(CLI::App& program);
 
 /// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted, by Ctrl-C or --time-limit, and to be resumed.

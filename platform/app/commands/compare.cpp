@@ -44,15 +44,17 @@ void run_compare(const CompareOptions& options) {
                                   fitted.result.seconds,
                                   known_setups(bench.rig().definition, bench.rig().experiment.target.recording)};
 
+  const std::string advice = advice_text(compared.result, command_to_type("diagnose", options));
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
     if (compared.result.cross_check) fmt::print("{}", cross_check_text(*compared.result.cross_check));
     fmt::print("{}", fit_text(fitted.result));
     fmt::print("{}", data_checks_text(bench.doubts(fitted.result)));
     fmt::print("{}", where_text(where));
-    fmt::print("{}", advice_text(compared.result, command_to_type("diagnose", options)));
+    fmt::print("{}", advice);
   }
-  if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result, where));
+  if (options.json)
+    write_output(*options.json, comparison_json(heading, compared.result, fitted.result, where, advice));
   if (options.csv) write_output(*options.csv, comparison_csv(compared.result));
   if (!options.out.empty()) {
     make_output_folder(options.out);

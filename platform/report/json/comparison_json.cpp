@@ -93,7 +93,7 @@ ordered_json document(const CrossCheck& check) {
 }  // namespace
 
 std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit,
-                            const WhereItFails& where) {
+                            const WhereItFails& where, const std::string& advice) {
   ordered_json trials = ordered_json::array(), pooled = ordered_json::array();
   for (const TrialComparison& trial : comparison.trials) trials.push_back(document(trial));
   for (const PooledScore& score : comparison.pooled) pooled.push_back(document(score));
@@ -107,6 +107,7 @@ std::string comparison_json(const ComparisonHeading& heading, const Comparison& 
                         {"findings", findings_json(where)},
                         {"where", where_json(where)},
                         {"notes", comparison.notes}};
+  if (!advice.empty()) whole["advice"] = advice.substr(0, advice.find_last_not_of('\n') + 1);
   if (comparison.cross_check) whole["cross_check"] = document(*comparison.cross_check);
   return whole.dump(2) + "\n";
 }

@@ -10,8 +10,9 @@
 namespace lacuna {
 
 /// The comparison, its fit and where the model fails as one JSON object, SI units throughout; unknown figures are null.
+/// `advice`: what follows from it (`advice_text`).
 std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit,
-                            const WhereItFails& where);
+                            const WhereItFails& where, const std::string& advice = {});
 std::string fit_json(const std::string& experiment, const FitResult& fit);
 
 /// The scores as CSV: one row a trial and channel.

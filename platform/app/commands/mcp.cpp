@@ -1,0 +1,77 @@
+#include "app/commands/commands.h"
+#include "app/mcp/message_lines.h"
+#include "app/mcp/server.h"
+#include "app/terminal/plain_streams.h"
+#include "app/terminal/scratch_folder.h"
+#include "app/terminal/time_limit.h"
+#include "foundation/file_sandbox.h"
+#include "foundation/interrupt.h"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kLongestMessage = std::size_t{4} << 20U;  // bytes
+constexpr int kBusyWait = 20, kIdleWait = 200;                  // ms, between looks at calls and at interrupts
+constexpr const char* kNoSandbox =
+    "lacuna mcp: this kernel has no Landlock, so plugins in the folder are not kept from other files; use none that "
+    "you "
+    "do not trust";
+
+struct McpOptions {
+  double call_limit = 3600.0;  // s
+};
+
+void write_message(const std::string& message) {
+  exact_output() << message << '\n' << std::flush;
+  if (!exact_output().good()) throw Error("standard output: the client does not read any more");
+}
+
+/// Until the client closes the standard input, or a signal asks the program to end.
+void serve_client(McpServer& server) {
+  MessageLines lines(STDIN_FILENO, kLongestMessage);
+  std::string line;
+  while (!interrupt_requested()) {
+    switch (lines.next(line, server.is_busy() ? kBusyWait : kIdleWait)) {
+      case MessageLines::Got::line: server.take(line); break;
+      case MessageLines::Got::too_long: server.refuse_long_line(kLongestMessage); break;
+      case MessageLines::Got::end: return;
+      case MessageLines::Got::nothing: break;
+    }
+    server.look();
+  }
+}
+
+void run_mcp(const McpOptions& options, const CLI::App& program) {
+  if (!has_file_sandbox()) std::fprintf(stderr, "%s\n", kNoSandbox);
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = std::filesystem::canonical(std::filesystem::current_path());
+  McpServer server(tools_of(option_tree(program)),
+                   {folder, std::filesystem::canonical(scratch.path()), options.call_limit}, write_message);
+  serve_client(server);
+}
+
+}  // namespace
+
+void add_mcp_command(CLI::App& program) {
+  auto options = std::make_shared<McpOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command =
+      program.add_subcommand("mcp", "Let an agent use the commands: a server of the Model Context Protocol");
+  command
+      ->add_option_function<std::string>(
+          "--call-limit",
+          [options](const std::string& text) { options->call_limit = parse_duration("--call-limit", text); },
+          "How long a call of a tool may take (default: 1 h)")
+      ->option_text("DURATION");
+  command->callback([&program, options] { run_mcp(*options, program); });
+}
+
+}  // namespace lacuna
