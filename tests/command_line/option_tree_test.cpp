@@ -1,5 +1,7 @@
 #include "command_line/option_tree.h"
 
+#include "command_line/completion.h"
+
 #include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -61,6 +63,12 @@ TEST_F(OptionTree, KnowsWhatOptionsTake) {
   EXPECT_EQ(option("threads").value, OptionValue::whole_number);
   EXPECT_EQ(option("quiet").value, OptionValue::none);
   EXPECT_EQ(option("json").value, OptionValue::optional_file);
+}
+
+TEST_F(OptionTree, QuotesWhatShellsWouldTakeForMore) {
+  EXPECT_THAT(fish_completion(tree_), HasSubstr("'List - don\\'t show'"));
+  EXPECT_THAT(zsh_completion(tree_), HasSubstr("'list:List - don'\\''t show'"));
+  EXPECT_THROW(completion_script("tcsh", tree_), std::exception);
 }
 
 }  // namespace
