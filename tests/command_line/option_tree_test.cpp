@@ -1,6 +1,7 @@
 #include "command_line/option_tree.h"
 
 #include "command_line/completion.h"
+#include "command_line/manual_page.h"
 
 #include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
@@ -63,6 +64,15 @@ TEST_F(OptionTree, KnowsWhatOptionsTake) {
   EXPECT_EQ(option("threads").value, OptionValue::whole_number);
   EXPECT_EQ(option("quiet").value, OptionValue::none);
   EXPECT_EQ(option("json").value, OptionValue::optional_file);
+}
+
+TEST_F(OptionTree, MakesAManualPageOfACommand) {
+  const std::string page = manual_page(tree_[1], tree_, {"1.2", ""});
+  EXPECT_EQ(manual_name(tree_[3]), "lacuna-plugins-list");
+  EXPECT_THAT(page, HasSubstr(".TH LACUNA\\-CHECK 1 \"\" \"lacuna 1.2\""));
+  EXPECT_THAT(page, HasSubstr(".B \\-\\-threads N\nThreads\n"));
+  EXPECT_THAT(page, HasSubstr("[OPTIONS] experiment\n"));
+  EXPECT_THAT(manual_page(tree_[2], tree_, {}), HasSubstr("lacuna\\-plugins\\-list (1)\nList \\- don't show\n"));
 }
 
 TEST_F(OptionTree, QuotesWhatShellsWouldTakeForMore) {

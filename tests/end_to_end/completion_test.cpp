@@ -5,10 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
-/// What shells complete, made from the program's options.
+/// What shells complete, and manual pages, both made from the program's options.
 namespace lacuna {
 namespace {
 
@@ -95,6 +96,34 @@ TEST(FishCompletion, HasCommandsOptionsAndEffects) {
   EXPECT_THAT(offered("lacuna compare x.toml --as"), HasSubstr("--as-is"));
   EXPECT_THAT(offered("lacuna plugins li"), HasSubstr("list"));
   EXPECT_THAT(offered("lacuna add x.toml coul"), HasSubstr("coulomb_friction"));
+}
+
+TEST(ManualPages, AreThereForEveryCommand) {
+  const Program program;
+  ASSERT_EQ(program.run({"man", "--out", "man1"}).exit_code, 0);
+  EXPECT_THAT(program.read("man1/lacuna.1"), HasSubstr("lacuna\\-diagnose (1)"));
+  EXPECT_THAT(program.read("man1/lacuna-plugins-list.1"), HasSubstr("\\-\\-kind KIND"));
+  EXPECT_EQ(program.run({"man", "plugins", "list"}).output, program.read("man1/lacuna-plugins-list.1"));
+  EXPECT_EQ(program.run({"man", "nothing"}).exit_code, 2);
+  if (program.shell("command -v groff").exit_code != 0)
+    GTEST_SKIP() << "groff, which would check them, is not installed";
+  EXPECT_EQ(program.shell("groff -man -Tascii -ww man1/*.1 > pages").errors, "");
+}
+
+TEST(Installation, PutsEverythingWhereShellsAndReadersLook) {
+  Program program;
+  const Outcome outcome = program.install("prefix");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  for (const char* file :
+       {"bin/lacuna", "lib/lacuna/plugins/coulomb_friction.so", "include/lacuna/plugin.h",
+        "share/bash-completion/completions/lacuna", "share/zsh/site-functions/_lacuna",
+        "share/fish/vendor_completions.d/lacuna.fish", "share/man/man1/lacuna-diagnose.1", "share/doc/lacuna/README.md",
+        "share/doc/lacuna/docs/tutorials/first-steps.md", "share/doc/lacuna/copyright",
+        "share/lacuna/experiments/first-steps.toml", "share/lacuna/experiments/data/servo_pendulum/sine.csv"})
+    EXPECT_TRUE(std::filesystem::exists(program.folder() / "prefix" / file)) << file;
+  EXPECT_EQ(program.run({"completion", "bash"}).output,
+            program.read("prefix/share/bash-completion/completions/lacuna"));
+  EXPECT_EQ(program.shell("lacuna check prefix/share/lacuna/experiments/first-steps.toml").exit_code, 0);
 }
 
 }  // namespace

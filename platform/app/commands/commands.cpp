@@ -137,6 +137,7 @@ int run_program(int argc, char** argv) try {
   add_serve_command(program);
   add_mcp_command(program);
   add_completion_command(program);
+  add_man_command(program);
   add_help_command(program);
 
   load_unwinder();

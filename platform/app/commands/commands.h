@@ -38,6 +38,7 @@ void add_sql_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_serve_command(CLI::App& program);
 void add_completion_command(CLI::App& program);
+void add_man_command(CLI::App& program);
 void add_mcp_command(CLI::App& program);
 void add_help_command(CLI::App& program);
 

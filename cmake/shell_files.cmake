@@ -1,0 +1,20 @@
+# What shells and `man` find of the program, made by the program itself when it is installed: completion of commands and
+# options, and a manual page a command. Not where this machine cannot run it.
+if(NOT CMAKE_CROSSCOMPILING)
+  install(CODE "
+    set(program \"$<TARGET_FILE:lacuna>\")
+    set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share\")
+    foreach(one bash:bash-completion/completions/lacuna zsh:zsh/site-functions/_lacuna fish:fish/vendor_completions.d/lacuna.fish)
+      string(REPLACE \":\" \";\" pair \${one})
+      list(GET pair 0 shell)
+      list(GET pair 1 file)
+      cmake_path(GET file PARENT_PATH folder)
+      file(MAKE_DIRECTORY \${share}/\${folder})
+      message(STATUS \"Installing: \${share}/\${file}\")
+      execute_process(COMMAND \${program} completion \${shell} OUTPUT_FILE \${share}/\${file} COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()
+    message(STATUS \"Installing: \${share}/man/man1\")
+    execute_process(COMMAND \${program} man --out \${share}/man/man1 COMMAND_ERROR_IS_FATAL ANY)")
+else()
+  message(STATUS "No completion and no manual pages are installed: this machine cannot run the program")
+endif()
