@@ -122,7 +122,7 @@ TEST(TorqueDrivenArm, IsDraftedAndComparedOverASecond) {
   program.write("run.csv", recording());
   const Outcome drafted = program.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", "run.csv"});
   ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
-  EXPECT_THAT(drafted.output, HasSubstr("sensor.wrist_3_position   rad    q_5 [rad]"));
+  EXPECT_THAT(drafted.output, HasSubstr("sensor.wrist_3_position  rad    q_5 [rad]"));
   EXPECT_THAT(drafted.output, HasSubstr("actuator.wrist_3"));
   EXPECT_THAT(drafted.output, Not(HasSubstr("no column fits")));
   EXPECT_THAT(program.read("rig.toml"), Not(HasSubstr("\"FILL IN")));

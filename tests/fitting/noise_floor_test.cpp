@@ -2,6 +2,7 @@
 
 #include "fitting/analytic_models.h"
 #include "fitting/disturbance.h"
+#include "fitting/free_run.h"
 #include "fitting/seeded_noise.h"
 
 #include <gmock/gmock.h>
@@ -14,6 +15,16 @@
 
 namespace lacuna {
 namespace {
+
+/// A run of one piece, from rest at zero.
+const std::vector<RunPiece>& from_rest() {
+  static const std::vector<RunPiece> kPieces = [] {
+    RunPiece piece;
+    piece.start.start = {{0.0}, {0.0}};
+    return std::vector<RunPiece>{piece};
+  }();
+  return kPieces;
+}
 
 using namespace lacuna::analytic;
 using testing::HasSubstr;
@@ -148,7 +159,7 @@ TEST(NoiseFloor, CommandNoisePassesThroughTheModel) {
   const std::vector<ChannelNoise> sensors = sensor_noise(one_joint_robot(), {trial});
   const NoiseSection noise;
   const FloorValue floor =
-      noise_floor({definition, model, {trial}, noise, {}, sensors, {{{{0.0}, {0.0}}, 0}}}).front().channels.front();
+      noise_floor({definition, model, {trial}, noise, {}, sensors, {{&from_rest(), 0}}}).front().channels.front();
   const double expected = 0.1 * 0.01 * std::sqrt(400.0 / 2.0);
   EXPECT_NEAR(floor.input, expected, 0.35 * expected);  // 24 walks: their mean square varies by a quarter
   EXPECT_DOUBLE_EQ(floor.total, std::hypot(floor.input, 1e-4));
@@ -167,7 +178,7 @@ TEST(NoiseFloor, IsNotKnownWhereNoDisturbedRunCanBeSimulated) {
   const std::vector<ChannelNoise> sensors = sensor_noise(one_joint_robot(), {trial});
   const NoiseSection noise;
   const FloorValue floor =
-      noise_floor({definition, model, {trial}, noise, {}, sensors, {{{{0.0}, {0.0}}, 0}}}).front().channels.front();
+      noise_floor({definition, model, {trial}, noise, {}, sensors, {{&from_rest(), 0}}}).front().channels.front();
   EXPECT_TRUE(std::isnan(floor.input));
   EXPECT_TRUE(std::isnan(floor.total));
   EXPECT_EQ(floor.sensor, 1e-4);
@@ -192,7 +203,7 @@ TEST(NoiseFloor, RandomForceActsThroughTheEngine) {
   noise.process = {{"joint.hinge", 0.3}};
   const std::vector<ChannelNoise> sensors = sensor_noise(robot, {trial});
   const FloorValue floor =
-      noise_floor({definition, *model, {trial}, noise, {}, sensors, {{{{0.0}, {0.0}}, 0}}}).front().channels.front();
+      noise_floor({definition, *model, {trial}, noise, {}, sensors, {{&from_rest(), 0}}}).front().channels.front();
   const double expected = 0.3 * 1e-4 / 2.0 * std::sqrt(std::pow(400.0, 3) / 12.0);
   EXPECT_NEAR(floor.process, expected, 0.4 * expected);  // 24 walks, each one draw of its size
   EXPECT_THAT(floor.origin, HasSubstr("random force adds"));
