@@ -51,15 +51,24 @@ struct Unfollowed {
   double percent = 0.0;
 };
 
+bool explains(const Eigen::MatrixXd& motion, const Eigen::VectorXd& command) {
+  const Eigen::VectorXd mean = Eigen::VectorXd::Constant(command.size(), command.mean());
+  const double whole = (command - mean).squaredNorm();
+  return whole > 0.0 && straight_fit(motion, command).squares < (1.0 - kExplained) * whole;
+}
+
 /// Whether the command is made of the motion: of the acceleration, of what the model does without commands, and of
 /// friction, which `beside` has in all usual forms. Then it is this joint's, and what it does not accelerate is lost in
 /// friction, or in a rotor, that the model has not yet.
 bool is_explained_by_motion(const StackedAccelerations& data, const Eigen::VectorXd& command) {
   Eigen::MatrixXd motion(data.beside.rows(), data.beside.cols() + 1);
   motion << data.measured, data.beside;
-  const Eigen::VectorXd mean = Eigen::VectorXd::Constant(command.size(), command.mean());
-  const double whole = (command - mean).squaredNorm();
-  return whole > 0.0 && straight_fit(motion, command).squares < (1.0 - kExplained) * whole;
+  return explains(motion, command);
+}
+
+/// Whether friction takes most of the command. Of a command in a wrong unit the acceleration alone is made.
+bool is_lost_in_friction(const StackedAccelerations& data, const Eigen::VectorXd& command) {
+  return is_explained_by_motion(data, command) && !explains(data.measured, command);
 }
 
 void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std::string& actuator,
@@ -81,7 +90,8 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
                      "or the joint's axis is wrong, or the column is a measurement, which lags the motion",
                      data.channel, actuator, times),
          true});
-  } else if (responds && (times > kBeyondEffects || times < 1.0 / kBeyondEffects)) {
+  } else if (responds &&
+             (times > kBeyondEffects || (times < 1.0 / kBeyondEffects && !is_lost_in_friction(data, own)))) {
     doubts.push_back(
         {Severity::fault,
          fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
