@@ -24,6 +24,7 @@ constexpr double kSure = 5.0;              // deviations
 constexpr double kLively = 10.0;           // noises, of an acceleration that a command should make
 constexpr double kNothing = 0.05;          // of what a command should do
 constexpr double kWorseNow = 2.0;          // squares left at one lag over those at another
+constexpr Eigen::Index kWithoutFriction = 3;  // columns of the surroundings before those of velocity (command_lags.h)
 
 /// What may have made a motion `times` too large for its commands.
 std::string unit_guess(double times, const std::string& unit) {
@@ -51,24 +52,22 @@ struct Unfollowed {
   double percent = 0.0;
 };
 
-bool explains(const Eigen::MatrixXd& motion, const Eigen::VectorXd& command) {
+/// Whether the command is made of the motion: of the acceleration, of what the model does without commands, and, with
+/// all surroundings, of friction. Then it is this joint's, and what it does not accelerate is lost in friction, or in a
+/// rotor, that the model has not yet.
+bool is_explained_by_motion(const StackedAccelerations& data, const Eigen::VectorXd& command,
+                            Eigen::Index surroundings) {
+  Eigen::MatrixXd motion(data.beside.rows(), surroundings + 1);
+  motion << data.measured, data.beside.leftCols(surroundings);
   const Eigen::VectorXd mean = Eigen::VectorXd::Constant(command.size(), command.mean());
   const double whole = (command - mean).squaredNorm();
   return whole > 0.0 && straight_fit(motion, command).squares < (1.0 - kExplained) * whole;
 }
 
-/// Whether the command is made of the motion: of the acceleration, of what the model does without commands, and of
-/// friction, which `beside` has in all usual forms. Then it is this joint's, and what it does not accelerate is lost in
-/// friction, or in a rotor, that the model has not yet.
-bool is_explained_by_motion(const StackedAccelerations& data, const Eigen::VectorXd& command) {
-  Eigen::MatrixXd motion(data.beside.rows(), data.beside.cols() + 1);
-  motion << data.measured, data.beside;
-  return explains(motion, command);
-}
-
-/// Whether friction takes most of the command. Of a command in a wrong unit the acceleration alone is made.
+/// Whether friction takes most of the command. A command in a wrong unit is made of the motion without friction.
 bool is_lost_in_friction(const StackedAccelerations& data, const Eigen::VectorXd& command) {
-  return is_explained_by_motion(data, command) && !explains(data.measured, command);
+  return is_explained_by_motion(data, command, data.beside.cols()) &&
+         !is_explained_by_motion(data, command, kWithoutFriction);
 }
 
 void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std::string& actuator,
@@ -98,7 +97,7 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
                      "units of both columns and the model's inertia",
                      data.channel, times, actuator, unit_guess(times, data.unit))});
   } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing &&
-             !is_explained_by_motion(data, own)) {
+             !is_explained_by_motion(data, own, data.beside.cols())) {
     unfollowed.push_back(
         {data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit), 100.0 * std::abs(times)});
   }
