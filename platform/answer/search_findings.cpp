@@ -161,6 +161,12 @@ class Told {
   std::string left(const Diagnosis& result) const {
     if (!law_.is_present) return "";
     const std::string where = "joint." + lacking_.joint;
+    if (!has_answer() && !found_.data->task().among.empty())
+      return fmt::format(
+          "none of the effects that were tried describes the missing force on {}, which depends on {}; leave --among "
+          "out "
+          "to try all",
+          where, lacking_.kind);
     if (!has_answer())
       return fmt::format("no effect of the library describes the missing force on {}, which depends on {}", where,
                          lacking_.kind);

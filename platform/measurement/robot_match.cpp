@@ -183,7 +183,7 @@ class Matching {
       if (slots_[first].column) continue;
       const std::vector<std::size_t> columns = candidates(slots_[first]);
       std::vector<std::size_t> peers;
-      for (std::size_t i = first; i < slots_.size(); ++i)
+      for (std::size_t i = 0; i < slots_.size(); ++i)
         if (!slots_[i].column && slots_[i].is_actuator == slots_[first].is_actuator && candidates(slots_[i]) == columns)
           peers.push_back(i);
       if (columns.empty() || peers.size() != columns.size()) continue;

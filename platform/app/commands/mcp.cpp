@@ -9,12 +9,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include <poll.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace lacuna {
 namespace {
@@ -35,6 +38,20 @@ void write_message(const std::string& message) {
   if (!exact_output().good()) throw Error("standard output: the client does not read any more");
 }
 
+/// Whether somebody may still read answers; a client that is gone has closed its end of the pipe.
+bool has_reader() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return ::poll(&output, 1, 0) <= 0 || (output.revents & (POLLERR | POLLHUP | POLLNVAL)) == 0;
+}
+
+/// Calls that were sent before the client closed the standard input are answered while it reads.
+void finish_calls(McpServer& server) {
+  while (server.is_busy() && has_reader() && !interrupt_requested()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(kBusyWait));
+    server.look();
+  }
+}
+
 /// Until the client closes the standard input, or a signal asks the program to end.
 void serve_client(McpServer& server) {
   MessageLines lines(STDIN_FILENO, kLongestMessage);
@@ -43,7 +60,7 @@ void serve_client(McpServer& server) {
     switch (lines.next(line, server.is_busy() ? kBusyWait : kIdleWait)) {
       case MessageLines::Got::line: server.take(line); break;
       case MessageLines::Got::too_long: server.refuse_long_line(kLongestMessage); break;
-      case MessageLines::Got::end: return;
+      case MessageLines::Got::end: return finish_calls(server);
       case MessageLines::Got::nothing: break;
     }
     server.look();

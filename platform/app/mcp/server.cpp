@@ -40,6 +40,12 @@ std::optional<ordered_json> progress_token(const RpcMessage& request) {
   throw RpcError(RpcCode::invalid_params, "\"progressToken\" must be a text or a whole number", *request.id);
 }
 
+/// An export of rows writes them where its arguments say; json is one of their formats.
+bool exports_rows(const Tool& tool, const ordered_json& arguments) {
+  return tool.name == "export" && !arguments.contains("urdf") && !arguments.contains("mjcf") &&
+         !arguments.contains("toml");
+}
+
 }  // namespace
 
 McpServer::McpServer(std::vector<Tool> tools, CallPlace place, std::function<void(const std::string&)> write)
@@ -138,7 +144,7 @@ void McpServer::call(const RpcMessage& request) {
   const std::string own = text_or_empty(call.arguments, "json");
   if (!own.empty())
     call.results = place_.folder / own;
-  else if (call.tool->has_json)
+  else if (call.tool->has_json && !exports_rows(*call.tool, call.arguments))
     call.results = place_.scratch / fmt::format("result-{}.json", ++calls_);
   waiting_.push_back(std::move(call));
   look();

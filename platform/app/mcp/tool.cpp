@@ -55,7 +55,11 @@ const std::vector<AgentsCommand>& agents_commands() {
        {},
        "For a recorded target give csv, a file for the commands of the next test on the rig. A target that is a "
        "program is not started for an agent."},
-      {{"export"}, false, {}, "Give urdf, mjcf or toml."},
+      {{"export"},
+       false,
+       {},
+       "Of an experiment, the identified robot: give urdf, mjcf or toml. Of a database, rows: give what, and a file as "
+       "csv, json, npz or mcap."},
       {{"report"}, false, {"out"}, "For people: the page holds all results of the database."},
       {{"sql"},
        true,
@@ -73,6 +77,7 @@ const std::vector<AgentsCommand>& agents_commands() {
 
 bool is_left_out(const AgentsCommand& command, const OptionFacts& option) {
   if (option.name == "csv" && command.words.front() == "trial") return false;              // the commands for a rig
+  if (option.name == "csv" && command.words.front() == "export") return false;             // a format of its rows
   if (command.reads_only && (option.name == "json" || option.name == "out")) return true;  // it writes no file either
   return std::find(std::begin(kLeftOut), std::end(kLeftOut), option.name) != std::end(kLeftOut);
 }

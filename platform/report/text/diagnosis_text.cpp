@@ -1,5 +1,6 @@
 #include "report/text/diagnosis_text.h"
 
+#include "foundation/counted.h"
 #include "foundation/figure_text.h"
 #include "foundation/shell_word.h"
 #include "foundation/unit.h"
@@ -157,7 +158,8 @@ std::string untestable_text(const Diagnosis& diagnosis) {
 
 /// What was tried, and whether chance does as much.
 std::string chance_text(const Diagnosis& diagnosis) {
-  std::string text = fmt::format("{} candidates were tried", diagnosis.hypotheses);
+  std::string text = fmt::format("{} {} tried", counted(diagnosis.hypotheses, "candidate"),
+                                 diagnosis.hypotheses == 1 ? "was" : "were");
   if (diagnosis.p_by_chance)
     text += fmt::format("; chance gives as large a gain as the best of them with p = {:.2g}", *diagnosis.p_by_chance);
   return text + fmt::format("; the model alone has an error of {:.3g} × floor\n", diagnosis.base_times_floor);

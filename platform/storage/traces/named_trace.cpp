@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -26,6 +28,7 @@ struct FoundTrial {
 struct FoundTrace {
   TraceId id;
   std::optional<int> revision;
+  bool as_written = false;  ///< by values as they were written, not fitted
 };
 
 /// The newest first. A trial that was read anew, since its file or its columns have changed, has several rows.
@@ -58,42 +61,59 @@ void refuse_several(const Database& database, const std::string& name, const std
 /// The newest prediction by a fitted model comes before those by values as they were written.
 std::optional<FoundTrace> newest_prediction(const Database& database, TrialId trial, std::optional<int> revision) {
   Statement row(database,
-                "SELECT trace.id, revision.number FROM trace LEFT JOIN comparison ON comparison.id = trace.comparison"
+                "SELECT trace.id, revision.number, comparison.kind IS 'as_written'"
+                " FROM trace LEFT JOIN comparison ON comparison.id = trace.comparison"
                 " LEFT JOIN revision ON revision.id = comparison.revision"
                 " WHERE trace.trial = ?1 AND trace.kind = 'predicted' AND (?2 IS NULL OR revision.number = ?2)"
                 " ORDER BY comparison.kind IS 'as_written', trace.id DESC LIMIT 1");
   if (!row.with(trial, revision).step()) return std::nullopt;
-  return FoundTrace{{row.integer(0)}, row.optional_number(1)};
+  return FoundTrace{{row.integer(0)}, row.optional_number(1), row.integer(2) != 0};
 }
 
-[[noreturn]] void refuse_revision(const Database& database, const FoundTrial& trial, int revision) {
-  Statement row(database,
-                "SELECT DISTINCT revision.number FROM trace JOIN comparison ON comparison.id = trace.comparison"
-                " JOIN revision ON revision.id = comparison.revision WHERE trace.trial = ? ORDER BY revision.number");
-  row.with(trial.id);
-  std::vector<int> others;
-  while (row.step()) others.push_back(row.number(0));
-  throw_problem({database.file().string()},
-                fmt::format("--revision {}: has no prediction of {} by this revision; {}", revision, trial.name,
-                            others.empty() ? "lacuna compare makes predictions"
-                                           : fmt::format("there are those of revision {}", fmt::join(others, ", "))));
+/// Of all readings of a trial; also which of them it is of.
+struct TrialPrediction {
+  const FoundTrial* trial = nullptr;
+  FoundTrace trace;
+};
+
+std::optional<TrialPrediction> newest_prediction(const Database& database, const std::vector<FoundTrial>& trials,
+                                                 std::optional<int> revision) {
+  const auto order = [](const FoundTrace& trace) { return std::pair(!trace.as_written, trace.id.value); };
+  std::optional<TrialPrediction> newest;
+  for (const FoundTrial& trial : trials)
+    if (const auto found = newest_prediction(database, trial.id, revision);
+        found && (!newest || order(*found) > order(newest->trace)))
+      newest = {&trial, *found};
+  return newest;
+}
+
+[[noreturn]] void refuse_revision(const Database& database, const std::vector<FoundTrial>& trials, int revision) {
+  std::set<int> others;
+  for (const FoundTrial& trial : trials) {
+    Statement row(database,
+                  "SELECT DISTINCT revision.number FROM trace JOIN comparison ON comparison.id = trace.comparison"
+                  " JOIN revision ON revision.id = comparison.revision WHERE trace.trial = ?");
+    row.with(trial.id);
+    while (row.step()) others.insert(row.number(0));
+  }
+  throw_problem(
+      {database.file().string()},
+      fmt::format("--revision {}: has no prediction of {} by this revision; {}", revision, trials.front().name,
+                  others.empty() ? "lacuna compare makes predictions"
+                                 : fmt::format("there are those of revision {}", fmt::join(others, ", "))));
 }
 
 std::optional<NamedTrace> by_name(const Database& database, const TraceQuestion& question) {
   const std::vector<FoundTrial> trials = trials_of(database, question.name);
   if (trials.empty()) return std::nullopt;
   refuse_several(database, question.name, trials);
-  std::optional<FoundTrace> prediction;
-  const auto predicted = std::find_if(trials.begin(), trials.end(), [&](const FoundTrial& one) {
-    prediction = newest_prediction(database, one.id, question.revision);
-    return prediction.has_value();
-  });
-  if (!prediction && question.revision) refuse_revision(database, trials.front(), *question.revision);
-  const FoundTrial& trial = prediction ? *predicted : trials.front();
-  NamedTrace found{trial.experiment, trial.name, prediction ? prediction->revision : std::nullopt, {}};
+  const std::optional<TrialPrediction> prediction = newest_prediction(database, trials, question.revision);
+  if (!prediction && question.revision) refuse_revision(database, trials, *question.revision);
+  const FoundTrial& trial = prediction ? *prediction->trial : trials.front();
+  NamedTrace found{trial.experiment, trial.name, prediction ? prediction->trace.revision : std::nullopt, {}};
   if (const auto measured = find_trace(database, {.trial = trial.id, .kind = TraceKind::measured}))
     found.parts.push_back({kMeasured, read_trace(database, *measured)});
-  if (prediction) found.parts.push_back({kPredicted, read_trace(database, prediction->id)});
+  if (prediction) found.parts.push_back({kPredicted, read_trace(database, prediction->trace.id)});
   return found;
 }
 
