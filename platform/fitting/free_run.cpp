@@ -57,7 +57,10 @@ FreeRun free_run(const TrialPredictor& predictor, const StartStates& states, std
   for (const Stretch& part : parts_of_run(predictor, states, trial)) {
     RunPiece piece{part, fit_head(predictor, states, part, values, worker), 0};
     piece.first_scored = first_scored(predictor, part, piece.start);
-    if (piece.first_scored < part.last || run.pieces.empty()) run.pieces.push_back(std::move(piece));
+    if (piece.first_scored >= part.last && !run.pieces.empty()) continue;
+    if (!run.pieces.empty())  // which goes on until this one is scored
+      run.pieces.back().stretch.last = std::max(run.pieces.back().stretch.last, piece.first_scored);
+    run.pieces.push_back(std::move(piece));
   }
   run.start = run.pieces.front().start;
   run.first_scored = run.pieces.front().first_scored;

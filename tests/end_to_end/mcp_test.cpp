@@ -211,6 +211,35 @@ TEST_F(Mcp, ReadsTheDatabaseAndChangesNothingThroughSql) {
   EXPECT_FALSE(client.call("sql", {{"views", true}})["isError"]);
 }
 
+TEST_F(Mcp, ExportsRowsInTheFormatThatIsAskedFor) {
+  McpClient client(program_);
+  client.initialize();
+  ASSERT_FALSE(client.call("fit", {{"experiment", kRig}})["isError"]);
+  json rows = {{"source", "first-steps.db"}, {"what", "revisions"}, {"csv", "revisions.csv"}};
+  const json written = client.call("export", rows);
+  ASSERT_FALSE(written["isError"]) << written;
+  EXPECT_TRUE(std::filesystem::exists(program_.folder() / "revisions.csv"));
+  rows.erase("csv");
+  const json refused = client.call("export", rows);
+  EXPECT_TRUE(refused["isError"]);
+  EXPECT_THAT(refused.dump(), testing::HasSubstr("--csv"));
+}
+
+TEST_F(Mcp, AnswersCallsThatWereSentBeforeTheInputEnded) {
+  const json begin = {{"jsonrpc", "2.0"},
+                      {"id", 1},
+                      {"method", "initialize"},
+                      {"params", {{"protocolVersion", "2025-11-25"}, {"capabilities", json::object()}}}};
+  const json call = {{"jsonrpc", "2.0"},
+                     {"id", 2},
+                     {"method", "tools/call"},
+                     {"params", {{"name", "check"}, {"arguments", {{"experiment", kRig}}}}}};
+  program_.write("messages", begin.dump() + "\n" + call.dump() + "\n");
+  const Outcome outcome = program_.shell("lacuna mcp < messages");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("\"id\":1"), HasSubstr("\"id\":2")));
+}
+
 TEST_F(Mcp, DraftsAnExperimentAndNamesTheBlanks) {
   McpClient client(program_);
   client.initialize();

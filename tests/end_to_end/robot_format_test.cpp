@@ -152,8 +152,8 @@ TEST_F(RobotFormatFiles, AreWhatNewDraftsARigFor) {
   program_.write("log.csv", log);
   const Outcome drafted = program_.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", "log.csv"});
   ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
-  EXPECT_THAT(drafted.output, AllOf(HasSubstr("sensor.hinge_position column hinge_position_rad in rad"),
-                                    HasSubstr("actuator.hinge     column hinge_effort_Nm in N*m")));
+  EXPECT_THAT(drafted.output, AllOf(HasSubstr("sensor.hinge_position  rad    hinge_position_rad  rad"),
+                                    HasSubstr("actuator.hinge         N*m    hinge_effort_Nm     N*m")));
   EXPECT_EQ(program_.run({"compare", "rig.toml"}).exit_code, 0);
 }
 

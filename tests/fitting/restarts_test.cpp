@@ -16,6 +16,11 @@ RobotSpec driven_arm(int joints, ActuatorKind kind) {
     motor.joint = "j" + std::to_string(i);
     motor.kind = kind;
     robot.actuators.push_back(motor);
+    JointSpec joint;
+    joint.name = motor.joint;
+    joint.parent = i == 0 ? "world" : "link" + std::to_string(i - 1);
+    joint.child = "link" + std::to_string(i);
+    robot.joints.push_back(joint);
   }
   return robot;
 }
@@ -39,6 +44,12 @@ TEST(Restarts, AreNotOfServosFewJointsOrJointsThatNothingCommands) {
   EXPECT_TRUE(std::isinf(restart_interval(servos, commanded(servos))));
   EXPECT_TRUE(std::isinf(restart_interval(two, commanded(two))));
   EXPECT_TRUE(std::isinf(restart_interval(driven_arm(3, ActuatorKind::force), commanded(two))));
+}
+
+TEST(Restarts, AreNotOfJointsSideBySide) {
+  RobotSpec robot = driven_arm(4, ActuatorKind::force);
+  for (JointSpec& joint : robot.joints) joint.parent = "world";
+  EXPECT_TRUE(std::isinf(restart_interval(robot, commanded(robot))));
 }
 
 }  // namespace

@@ -102,6 +102,12 @@ TEST_F(MatchRobot, TakesTheOnlyColumnOfAUnit) {
   EXPECT_EQ(source.commands[0].channel, "drive");
 }
 
+TEST_F(MatchRobot, GivesNoJointAColumnThatFitsAnother) {
+  const RigGuess rig = guess("theta_deg", two_joints());
+  EXPECT_THAT(pairs(rig), IsEmpty());
+  EXPECT_THAT(unmatched(rig), Not(IsEmpty()));
+}
+
 TEST_F(MatchRobot, GoesByNamesBeforeUnits) {
   const RigGuess rig = guess("knee_pos_deg,hip_pos_deg,knee_vel,m2_A,m1_A", two_joints());
   EXPECT_THAT(pairs(rig), ElementsAre("hip_encoder=hip_pos_deg", "knee_encoder=knee_pos_deg", "knee_tacho=knee_vel",

@@ -83,6 +83,24 @@ TEST_F(NamedTraceTest, IsOfAFittedModelBeforeOneAsWritten) {
   EXPECT_EQ(find("sine")->revision, 2);
 }
 
+/// A trial that was read anew in between: the model of its first readings predicted last.
+TEST_F(NamedTraceTest, IsTheNewestOfAllReadingsOfATrial) {
+  const ExperimentId rig = store_.record_experiment({"rig", "rig.toml", "x", {}});
+  const StoredTrial before = store_.trials(rig).front();
+  store_.begin_run({.command = "lacuna compare rig.toml"}, {});
+  const TrialId anew = store_.find_or_add_trial(rig, {"sine", "sine.csv", std::string(64, 'b'), false, 1.0, 10});
+  ASSERT_NE(anew, before.id);
+  const StoredRevision first = *store_.revision(rig, 1);
+  const ComparisonId comparison = store_.record_comparison(first.id, {});
+  store_.record_trace(anew, TraceKind::measured, test::sine(10), TracePrecision::float64);
+  store_.record_trace(anew, TraceKind::predicted, test::sine(10, 0.2), TracePrecision::float32, comparison);
+  EXPECT_EQ(find("sine")->revision, 1);
+  EXPECT_EQ(find("sine", 2)->parts.at(0).series.samples, test::sine(1000).samples);
+  store_.record_trace(before.id, TraceKind::predicted, test::sine(1000, 0.25), TracePrecision::float32,
+                      store_.record_comparison(store_.revision(rig, 2)->id, {}));
+  EXPECT_EQ(find("sine")->revision, 2);
+}
+
 TEST_F(NamedTraceTest, ByItsNumberIsOneTrace) {
   const std::optional<NamedTrace> measured = find(traces("measured").at(0));
   ASSERT_TRUE(measured);
