@@ -45,7 +45,7 @@ TEST_F(BashCompletion, HasTheCommandsAndThoseBelowThem) {
   EXPECT_THAT(offered("lacuna ''"),
               AllOf(Contains("check"), Contains("diagnose"), Contains("mcp"), Not(Contains("list"))));
   EXPECT_THAT(offered("lacuna comp"), testing::UnorderedElementsAre("compare", "completion"));
-  EXPECT_THAT(offered("lacuna plugins ''"), AllOf(Contains("list"), Contains("show"), Not(Contains("check"))));
+  EXPECT_THAT(offered("lacuna plugins ''"), AllOf(Contains("list"), Contains("show"), Not(Contains("compare"))));
   EXPECT_THAT(offered("lacuna help diag"), ElementsAre("diagnose"));
   EXPECT_THAT(offered("lacuna completion ''"), ElementsAre("bash", "fish", "zsh"));
 }

@@ -67,8 +67,8 @@ class RecordingFormats : public testing::TestWithParam<Recorded> {
 TEST_P(RecordingFormats, AreDraftedCheckedAndCompared) {
   const Outcome drafted = program_.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", GetParam().file});
   ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
-  EXPECT_THAT(drafted.output, AllOf(HasSubstr("sensor.hinge_position column " + GetParam().position),
-                                    HasSubstr("actuator.hinge     column " + GetParam().effort)));
+  EXPECT_THAT(drafted.output, AllOf(HasSubstr("sensor.hinge_position  rad    " + GetParam().position),
+                                    HasSubstr("actuator.hinge         N*m    " + GetParam().effort)));
   program_.write("rig.toml", filled(program_.read("rig.toml")));
   const Outcome check = program_.run({"check", "rig.toml"});
   EXPECT_EQ(check.exit_code, 0) << check.errors << program_.read("rig.toml");
