@@ -81,10 +81,10 @@ INSTANTIATE_TEST_SUITE_P(OfOtherPrograms, RecordingFormats,
                          testing::Values(Recorded{"arm.jsonl", "state.position[hinge]", "state.effort[hinge]"},
                                          Recorded{"arm.npz", "hinge_position", "hinge_effort"},
                                          Recorded{"arm.mat", "log.hinge_position", "log.hinge_effort"},
-                                         Recorded{"run.db3", "/joint_states.position[hinge] in rad",
-                                                  "/joint_states.effort[hinge] in N*m"},
-                                         Recorded{"run_lz4.mcap", "/joint_states.position[hinge] in rad",
-                                                  "/joint_states.effort[hinge] in N*m"}),
+                                         Recorded{"run.db3", "/joint_states.position[hinge]  rad",
+                                                  "/joint_states.effort[hinge]    N*m"},
+                                         Recorded{"run_lz4.mcap", "/joint_states.position[hinge]  rad",
+                                                  "/joint_states.effort[hinge]    N*m"}),
                          [](const auto& test) {
                            std::string name = test.param.file;
                            for (char& c : name)
