@@ -109,7 +109,7 @@ std::optional<Circle> hinged_circle(const Points& points) {
   return circle.scatter < 0.25 * height ? std::optional(circle) : std::nullopt;
 }
 
-/// What is left of a name without the word "x" or "y"; nothing where it has not that word.
+/// The name without the word "x" or "y"; nothing where it does not have that word.
 std::optional<std::vector<std::string>> without_word(const std::string& name, const std::string& word) {
   std::vector<std::string> words = words_of(name);
   const auto found = std::ranges::find(words, word);

@@ -24,14 +24,14 @@ struct BestLaw {
   const CandidateSet& judged() const { return law->judged; }
 };
 
-BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints, const CandidateSet* rival) {
+BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints, const CandidateSet* candidate) {
   BestLaw best;
   double most = 0.0;
   std::vector<Eigen::VectorXd> gains;
   for (const std::unique_ptr<JointLaws>& joint : joints)
     for (const FittedLaw& law : joint->laws()) {
       if (joint->drives(law)) continue;
-      gains.push_back((rival ? *rival : joint->plain().judged).cost.by_block() - law.judged.cost.by_block());
+      gains.push_back((candidate ? *candidate : joint->plain().judged).cost.by_block() - law.judged.cost.by_block());
       const double gain = gains.back().sum();
       if (!best.law || gain > most) best = {joint.get(), &law, 1.0}, most = gain;
     }
@@ -55,7 +55,7 @@ double most_left(const PredictionLadder& ladder, const LinearPrediction& linear)
 
 }  // namespace
 
-ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* rival) {
+ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* candidate) {
   ResidualLaw result;
   const SearchData& data = *found.data;
   if (data.plain().definition.structure.robot.contact.ground) return result;
@@ -70,15 +70,16 @@ ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, c
   std::vector<std::unique_ptr<JointLaws>> joints;
   for (const JointCourse& course : courses)
     joints.push_back(std::make_unique<JointLaws>(data, beside, ladder, *linear, course));
-  const BestLaw best = best_law(joints, rival ? &rival->judged : nullptr);
+  const BestLaw best = best_law(joints, candidate ? &candidate->judged : nullptr);
   if (!best.law) return result;
-  const CandidateSet& over = rival ? rival->judged : best.joint->plain().judged;
+  const CandidateSet& over = candidate ? candidate->judged : best.joint->plain().judged;
   result.p = best.p;
   result.gain = gain_of(best.judged(), over);
   result.joint = best.joint->course().joint;
   result.kind = best.law->kind;
   const double of_law = std::max(0.0, result.gain.nats);
-  const double of_set = std::max(0.0, gain_of(rival ? rival->judged : beside.judged, found.sets.front().judged).nats);
+  const double of_set =
+      std::max(0.0, gain_of(candidate ? candidate->judged : beside.judged, found.sets.front().judged).nats);
   result.share = of_law > 0.0 ? of_law / (of_set + of_law) : 0.0;
   result.is_minor = is_minor(best.judged(), over, found.sets.front().judged, of_set + of_law);
   result.is_present = result.p < kPresent && result.gain.is_told() && result.share > kLeastShare &&

@@ -12,7 +12,7 @@ namespace lacuna {
 struct ResidualLaw {
   bool is_present = false;
   double p = 1.0;                      ///< how often chance alone would gain as much as the best law does
-  CostGain gain;                       ///< over `beside`, or over `rival`
+  CostGain gain;                       ///< over `beside`, or over `candidate`
   double share = 0.0;                  ///< of all that this set and the law gain together
   bool is_minor = true;                ///< beside what this set explains (criterion/decision.h)
   std::string joint;                   ///< on which it acts, without "joint."
@@ -26,10 +26,10 @@ struct ResidualLaw {
 /// eight times the shortest length. Present: signs with the
 /// maximum over all laws below 5 %, more than its error, at more than one length, a twentieth of all that is gained,
 /// and a twentieth of the error at one length. Laws of the velocity that add energy to the joint are rejected. With a
-/// `rival` all this is asked of what the laws gain over that set instead: whether a law explains more than it.
+/// `candidate` all this is asked of what the laws gain over that set instead: whether a law explains more than it.
 ///
 /// The formula: sparse regression over candidate terms (S. L. Brunton, J. L. Proctor and J. N. Kutz, PNAS 113 (2016)
 /// 3932-3937), here through the model's own responses, so that nothing is differentiated.
-ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* rival = nullptr);
+ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* candidate = nullptr);
 
 }  // namespace lacuna
