@@ -2,6 +2,7 @@
 
 #include "fitting/free_run.h"
 #include "fitting/progress_meter.h"
+#include "fitting/rms_of_parts.h"
 #include "fitting/scores.h"
 #include "fitting/stages.h"
 #include "foundation/interrupt.h"

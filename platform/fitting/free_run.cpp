@@ -1,6 +1,6 @@
 #include "fitting/free_run.h"
 
-#include "fitting/scores.h"
+#include "fitting/rms_of_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "fitting/scores.h"
 
+#include "fitting/rms_of_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -102,17 +104,6 @@ ChannelPool pool_channel(const std::vector<TrialComparison>& trials, const std::
 }
 
 }  // namespace
-
-double scored_rms(const TimeSeries::Samples& residuals, Eigen::Index channel, Eigen::Index first_scored) {
-  double squares = 0.0, count = 0.0;
-  for (Eigen::Index row = first_scored; row < residuals.rows(); ++row) {
-    const double residual = residuals(row, channel);
-    if (!std::isfinite(residual)) continue;
-    squares += residual * residual;
-    count += 1.0;
-  }
-  return count > 0.0 ? std::sqrt(squares / count) : kNotScored;
-}
 
 ChannelScore score_channel(const TrialComparison& comparison, Eigen::Index channel, const FloorValue& floor) {
   ChannelScore score;

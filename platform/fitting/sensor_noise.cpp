@@ -1,4 +1,4 @@
-#include "fitting/noise_floor.h"
+#include "fitting/sensor_noise.h"
 
 #include "foundation/address.h"
 #include "foundation/unit.h"

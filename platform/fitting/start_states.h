@@ -4,7 +4,7 @@
 
 #include "evaluation/trial_predictor.h"
 #include "fitting/free_reading.h"
-#include "fitting/noise_floor.h"
+#include "fitting/sensor_noise.h"
 
 #include <cmath>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "fitting/free_run.h"
 #include "fitting/noise_floor.h"
-#include "fitting/scores.h"
+#include "fitting/rms_of_parts.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 

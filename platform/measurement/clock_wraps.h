@@ -1,7 +1,7 @@
 #pragma once
 
 #include "foundation/encoding.h"
-#include "measurement/read_tables.h"
+#include "measurement/read_table.h"
 
 #include <optional>
 #include <string>

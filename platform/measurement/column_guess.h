@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measurement/column_role.h"
 #include "measurement/file_sample.h"
 
 #include <optional>
@@ -7,17 +8,6 @@
 #include <vector>
 
 namespace lacuna {
-
-/// What a column may be for an experiment.
-enum class ColumnRole {
-  time,
-  trial,      ///< tells trials apart
-  position,   ///< of a joint
-  velocity,   ///< of a joint
-  command,    ///< what an actuator is given
-  reference,  ///< what the rig should do; a servo's command
-  other       ///< not needed, or not understood
-};
 
 /// A point that a video was searched for: its x and y go round a circle, as a point on a hinged body does.
 struct GuessedTrack {

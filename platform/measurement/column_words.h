@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "measurement/column_guess.h"
+#include "measurement/column_role.h"
 
 namespace lacuna {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "foundation/problem.h"
-#include "measurement/recording.h"
+#include "foundation/problem.h"
 
 #include <map>
 #include <string>
@@ -9,6 +9,13 @@
 #include <vector>
 
 namespace lacuna {
+
+/// What was noticed while reading that is not an error: a documented correct reading, or a doubt.
+struct ReadingNote {
+  SourceLocation location;
+  std::string message;
+  bool doubt = false;  ///< what was read may not be what was meant, or not all of it
+};
 
 /// What is said about one measured file: problems, which make it unusable, notes, and doubts, the notes that every
 /// command repeats. Of complaints

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measurement/csv_table.h"
+#include "measurement/read_table.h"
 #include "measurement/recording_formats.h"
 #include "measurement/trial_builder.h"
 
@@ -8,12 +9,6 @@
 #include <vector>
 
 namespace lacuna {
-
-/// A measured file as numbers, and what was noticed in it.
-struct ReadTable {
-  FileReport report;
-  CsvTable table;  ///< of no meaning where the report has problems; a column that the file lacks is empty
-};
 
 /// The files of one recording as one table.
 struct ReadRecording {

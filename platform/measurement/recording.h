@@ -5,6 +5,7 @@
 #include <lacuna/time_series.h>
 
 #include "foundation/recording_source.h"
+#include "measurement/file_report.h"
 #include "measurement/recording_formats.h"
 
 #include <functional>
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace lacuna {
-
-/// What was noticed while reading that is not an error: a documented correct reading, or a doubt.
-struct ReadingNote {
-  SourceLocation location;
-  std::string message;
-  bool doubt = false;  ///< what was read may not be what was meant, or not all of it
-};
 
 struct Recording {
   std::vector<Trial> trials;  ///< fit trials first, each in file order
