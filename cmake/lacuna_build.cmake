@@ -47,12 +47,18 @@ function(lacuna_set_up_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# A folder of platform/: a static library that sees platform/ as its include root. HEADERS of others that most of its
-# sources include, beyond those that all rooms share, are compiled once for it. UNITY: a large room, compiled
-# together. COLD: compiled in two thirds of the time. It reads files, writes text, or decides what is simulated next; the
-# time of a fit and of a diagnosis goes to the simulation and to Eigen's kernels (foundation/eigen_kernels.h).
+# A folder of platform/: a static library that sees platform/ as its include root.
+#   PUBLIC   its headers that other rooms may include; tools/check_includes reads them here
+#   SOURCES  default: those of the folder and of the folders in it
+#   HEADERS  headers of others that most of its sources include, beyond those that all rooms share; compiled once for it
+#   UNITY    a large room, compiled together
+#   COLD     compiled in two thirds of the time. It reads files, writes text, or decides what is simulated next; the time
+#            of a fit and of a diagnosis goes to the simulation and to Eigen's kernels (foundation/eigen_kernels.h).
 function(lacuna_add_room name)
-  cmake_parse_arguments(ARG "UNITY;COLD" "" "SOURCES;LINKS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY;COLD" "" "PUBLIC;SOURCES;LINKS;HEADERS" ${ARGN})
+  if(NOT ARG_SOURCES)
+    file(GLOB ARG_SOURCES CONFIGURE_DEPENDS *.cpp */*.cpp)
+  endif()
   add_library(lacuna_${name} STATIC ${ARG_SOURCES})
   target_include_directories(lacuna_${name} PUBLIC ${PROJECT_SOURCE_DIR}/platform)
   target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})

@@ -9,8 +9,8 @@
 #include "answer/stopped_search.h"
 #include "data_checks/data_doubts.h"
 #include "data_checks/feedback_bias.h"
-#include "fitting/progress_meter.h"
-#include "foundation/interrupt.h"
+#include "fitting/numerics/progress_meter.h"
+#include "foundation/processes/interrupt.h"
 #include "search/effect_search.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "answer/diagnosis.h"
-#include "config/experiment.h"
-#include "evaluation/model_definition.h"
-#include "fitting/progress.h"
+#include "config/schema/experiment.h"
+#include "evaluation/model/model_definition.h"
+#include "fitting/numerics/progress.h"
 #include "search/kept_fits.h"
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct DiagnosisTask {
 };
 
 /// METHOD: what effects, if any, the model lacks (docs/explanation/diagnosis.md). Doubts about the data stand beside
-/// the verdict. Where the time limit is reached (foundation/interrupt.h), it is lifted and the diagnosis is `stopped`.
-/// Throws `Error` where the trials do not fit the model, and `Interrupted`.
+/// the verdict. Where the time limit is reached (foundation/processes/interrupt.h), it is lifted and the diagnosis is
+/// `stopped`. Throws `Error` where the trials do not fit the model, and `Interrupted`.
 Diagnosis find_missing_effects(const DiagnosisTask& task);
 
 }  // namespace lacuna

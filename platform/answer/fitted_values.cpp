@@ -2,7 +2,7 @@
 
 #include "candidates/wrong_value.h"
 #include "criterion/value_errors.h"
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 
 #include <lacuna/physical_effect.h>
 

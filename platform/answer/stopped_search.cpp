@@ -1,8 +1,8 @@
 #include "answer/stopped_search.h"
 
 #include "candidates/hypothesis.h"
-#include "foundation/counted.h"
-#include "foundation/interrupt.h"
+#include "foundation/text/counted.h"
+#include "foundation/processes/interrupt.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 #include "app/tasks/task_left.h"
 #include "app/terminal/plain_streams.h"
 #include "app/terminal/supervised.h"
-#include "foundation/process_limits.h"
+#include "foundation/processes/process_limits.h"
 
 #include <new>
 

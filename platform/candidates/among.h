@@ -1,7 +1,7 @@
 #pragma once
 
-#include "config/experiment.h"
-#include "evaluation/model_definition.h"
+#include "config/schema/experiment.h"
+#include "evaluation/model/model_definition.h"
 
 #include <string>
 #include <vector>

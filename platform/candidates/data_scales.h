@@ -2,8 +2,8 @@
 
 #include <lacuna/trial.h>
 
-#include "config/experiment.h"
-#include "evaluation/model_definition.h"
+#include "config/schema/experiment.h"
+#include "evaluation/model/model_definition.h"
 
 #include <map>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "candidates/wrong_value.h"
 #include "foundation/address.h"
-#include "foundation/guarded_call.h"
-#include "foundation/plugin_fault.h"
+#include "foundation/processes/guarded_call.h"
+#include "foundation/plugins/plugin_fault.h"
 
 #include <lacuna/error.h>
 #include <lacuna/physical_effect.h>

@@ -1,8 +1,8 @@
 #include "candidates/probe_sizes.h"
 
 #include "candidates/data_scales.h"
-#include "fitting/parameter_space.h"
-#include "fitting/rms_of_parts.h"
+#include "fitting/shooting/parameter_space.h"
+#include "fitting/numerics/rms_of_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "candidates/timing.h"
 
-#include "evaluation/trial_predictor.h"
+#include "evaluation/prediction/trial_predictor.h"
 
 #include <algorithm>
 

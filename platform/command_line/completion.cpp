@@ -1,6 +1,6 @@
 #include "command_line/completion.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

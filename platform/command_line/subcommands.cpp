@@ -1,6 +1,6 @@
 #include "command_line/subcommands.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #include "command_line/usage_error.h"
 
 #include "command_line/subcommands.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "config/decided.h"
 
-#include "config/experiment_schema.h"
+#include "config/schema/experiment_schema.h"
 #include "config/overrides.h"
 
 #include <fmt/format.h>

@@ -1,12 +1,12 @@
 #include "config/experiment_reader.h"
 
-#include "config/experiment_schema.h"
-#include "config/locations.h"
+#include "config/schema/experiment_schema.h"
+#include "config/toml/locations.h"
 #include "config/overrides.h"
-#include "config/path_variables.h"
-#include "config/robot_reader.h"
-#include "config/text_file.h"
-#include "config/toml_parser.h"
+#include "config/toml/path_variables.h"
+#include "config/robots/robot_reader.h"
+#include "config/toml/text_file.h"
+#include "config/toml/toml_parser.h"
 #include "foundation/digest.h"
 
 namespace lacuna {

@@ -1,8 +1,8 @@
 #include "config/file_references.h"
 
-#include "config/experiment_schema.h"
-#include "config/reference.h"
-#include "config/robot_file.h"
+#include "config/schema/experiment_schema.h"
+#include "config/schema/reference.h"
+#include "config/schema/robot_file.h"
 
 #include <lacuna/error.h>
 

@@ -1,7 +1,7 @@
 #include "config/overrides.h"
 
-#include "config/toml_parser.h"
-#include "config/toml_scanner.h"
+#include "config/toml/toml_parser.h"
+#include "config/toml/toml_scanner.h"
 
 #include <charconv>
 #include <optional>

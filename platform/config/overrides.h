@@ -1,6 +1,6 @@
 #pragma once
 
-#include "config/toml_node.h"
+#include "config/toml/toml_node.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "config/result_setting.h"
 
-#include "config/experiment_schema.h"
+#include "config/schema/experiment_schema.h"
 #include "config/overrides.h"
-#include "config/toml_parser.h"
+#include "config/toml/toml_parser.h"
 
 #include <algorithm>
 

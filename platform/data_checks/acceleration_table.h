@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data_checks/doubt.h"
-#include "fitting/start_states.h"
+#include "fitting/starts/start_states.h"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 #include "data_checks/channel_scatter.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
-#include "measurement/signal_shape.h"
+#include "measurement/series/signal_shape.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "data_checks/reading_scale.h"
 #include "data_checks/trial_doubts.h"
 #include "data_checks/unit_doubts.h"
-#include "fitting/noise_floor.h"
+#include "fitting/floor/noise_floor.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,7 +2,7 @@
 
 #include "fitting/comparison.h"
 #include "foundation/unit.h"
-#include "measurement/recorded_controller.h"
+#include "measurement/trials/recorded_controller.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #include "documents/diagnosis_json.h"
 
 #include "documents/setup_json.h"
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 
 #include <nlohmann/json.hpp>
 

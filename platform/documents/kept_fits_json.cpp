@@ -1,6 +1,6 @@
 #include "documents/kept_fits_json.h"
 
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 
 #include <nlohmann/json.hpp>
 

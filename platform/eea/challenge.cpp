@@ -1,6 +1,6 @@
 #include "eea/challenge.h"
 
-#include "eea/evaluations.h"
+#include "eea/definition/evaluations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "eea/eea_loop.h"
 
 #include "eea/challenge.h"
-#include "eea/ensemble.h"
+#include "eea/ensemble/ensemble.h"
 #include "eea/estimation.h"
 #include "eea/exploration.h"
 #include "eea/local_evaluations.h"

@@ -1,6 +1,6 @@
 #include "eea/eea_run.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 namespace lacuna {
 

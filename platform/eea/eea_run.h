@@ -1,8 +1,8 @@
 #pragma once
 
-#include "eea/eea_definition.h"
-#include "eea/eea_journal.h"
-#include "eea/evaluations.h"
+#include "eea/definition/eea_definition.h"
+#include "eea/definition/eea_journal.h"
+#include "eea/definition/evaluations.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,10 +1,10 @@
 #include "eea/estimation.h"
 
-#include "eea/ensemble.h"
-#include "eea/evaluations.h"
+#include "eea/ensemble/ensemble.h"
+#include "eea/definition/evaluations.h"
 #include "eea/rival_breeder.h"
-#include "eea/scored_trials.h"
-#include "evaluation/model_evaluator.h"
+#include "eea/trials/scored_trials.h"
+#include "evaluation/scoring/model_evaluator.h"
 #include "evolution/search_run.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "eea/exploration.h"
 
-#include "eea/evaluations.h"
+#include "eea/definition/evaluations.h"
 #include "evolution/search_run.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 #include "eea/local_evaluations.h"
 
-#include "eea/judges.h"
-#include "eea/scored_trials.h"
-#include "evaluation/test_predictor.h"
-#include "foundation/interrupt.h"
+#include "eea/ensemble/judges.h"
+#include "eea/trials/scored_trials.h"
+#include "evaluation/prediction/test_predictor.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <cmath>
 #include <utility>

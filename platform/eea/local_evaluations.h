@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eea/eea_definition.h"
-#include "eea/evaluations.h"
+#include "eea/definition/eea_definition.h"
+#include "eea/definition/evaluations.h"
 
 #include <memory>
 

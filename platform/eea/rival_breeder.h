@@ -2,7 +2,7 @@
 
 #include <lacuna/search_strategy.h>
 
-#include "eea/eea_definition.h"
+#include "eea/definition/eea_definition.h"
 
 #include <cstdint>
 #include <set>

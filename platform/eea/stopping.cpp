@@ -1,6 +1,6 @@
 #include "eea/stopping.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "eea/target_trials.h"
 
 #include "eea/challenge.h"
-#include "eea/evaluations.h"
+#include "eea/definition/evaluations.h"
 #include "eea/exploration.h"
-#include "eea/recorded_trials.h"
+#include "eea/trials/recorded_trials.h"
 #include "eea/stopping.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "process/hello.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include <lacuna/target_system.h>
 
 #include "eea/eea_run.h"
-#include "evaluation/target_simulator.h"
+#include "evaluation/prediction/target_simulator.h"
 #include "process/process_target.h"
 
 namespace lacuna {

@@ -1,6 +1,6 @@
 #include "evaluation/named_controller.h"
 
-#include "foundation/process_watch.h"
+#include "foundation/processes/process_watch.h"
 
 #include <lacuna/error.h>
 

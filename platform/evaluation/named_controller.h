@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 
 #include <lacuna/test.h>
 

@@ -1,7 +1,7 @@
 #include "evaluation/recording_files.h"
 
-#include "foundation/guarded_call.h"
-#include "foundation/plugin_call.h"
+#include "foundation/processes/guarded_call.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "loading/plugin_catalog.h"
-#include "measurement/recording_formats.h"
+#include "measurement/trials/recording_formats.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "evolution/operator_breeder.h"
 
-#include "foundation/number_text.h"
+#include "foundation/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <lacuna/mutation_operator.h>
 #include <lacuna/search_strategy.h>
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 
 #include <functional>
 #include <vector>

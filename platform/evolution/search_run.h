@@ -2,7 +2,7 @@
 
 #include <lacuna/search_strategy.h>
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 
 #include <functional>
 #include <optional>

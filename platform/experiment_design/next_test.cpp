@@ -2,8 +2,8 @@
 
 #include "experiment_design/test_judge.h"
 #include "experiment_design/test_line.h"
-#include "fitting/progress_meter.h"
-#include "foundation/interrupt.h"
+#include "fitting/numerics/progress_meter.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <fmt/format.h>

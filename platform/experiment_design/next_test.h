@@ -2,10 +2,10 @@
 
 #include <lacuna/test_encoding.h>
 
-#include "evaluation/known_setups.h"
-#include "evaluation/model_definition.h"
-#include "fitting/noise_floor.h"
-#include "fitting/progress.h"
+#include "evaluation/model/known_setups.h"
+#include "evaluation/model/model_definition.h"
+#include "fitting/floor/noise_floor.h"
+#include "fitting/numerics/progress.h"
 #include "loading/plugin_catalog.h"
 
 #include <Eigen/Core>
@@ -24,9 +24,10 @@ struct RivalModel {
   const ModelDefinition& definition;
   const CompiledModel& model;  ///< of `definition`
   std::vector<double> values;  ///< of its free values, SI
-  /// Of the free values' coordinates (fitting/parameter_space.h), as `Refit::covariance`: a row and a column a value. A
-  /// value whose row is 0 or NaN is held where it stands at a bound, and is known no better than its bounds say where
-  /// it does not. With a `command_interval` one more row and column: that of the instant that commands act at.
+  /// Of the free values' coordinates (fitting/shooting/parameter_space.h), as `Refit::covariance`: a row and a column a
+  /// value. A value whose row is 0 or NaN is held where it stands at a bound, and is known no better than its bounds
+  /// say where it does not. With a `command_interval` one more row and column: that of the instant that commands act
+  /// at.
   Eigen::MatrixXd covariance;
   /// s: which instant within so long, either way, the commands of the data and of the test act at is fitted beside the
   /// values (timing.h), and what is said of it counts by this interval. 0: it is known.
@@ -44,7 +45,7 @@ struct NextTestTask {
   std::vector<RivalModel> rivals;  ///< the first two are told apart; both have the robot's sensors
   std::vector<ChannelNoise>
       noise;        ///< deviations of single readings, by channel; channels that are not here are not read
-  TestSpace space;  ///< limits (evaluation/test_space.h), control period, and the duration of the test
+  TestSpace space;  ///< limits (evaluation/prediction/test_space.h), control period, and the duration of the test
   double correlation_time = 0.0;  ///< s, of the noise: readings nearer to each other count as less than one each
   StartState start;               ///< where the test starts
   /// How well that is known: deviations of the joint coordinates, positions and then velocities; what is above 0 is

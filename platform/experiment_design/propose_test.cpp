@@ -1,7 +1,7 @@
 #include "experiment_design/propose_test.h"
 
 #include "candidates/timing.h"
-#include "evaluation/test_space.h"
+#include "evaluation/prediction/test_space.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "config/experiment.h"
+#include "config/schema/experiment.h"
 #include "experiment_design/next_test.h"
 #include "experiment_design/test_conditions.h"
 

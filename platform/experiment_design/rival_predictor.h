@@ -2,8 +2,8 @@
 
 #include "experiment_design/next_test.h"
 #include "experiment_design/rival_refit.h"
-#include "evaluation/test_predictor.h"
-#include "fitting/parameter_space.h"
+#include "evaluation/prediction/test_predictor.h"
+#include "fitting/shooting/parameter_space.h"
 
 #include <span>
 #include <string>

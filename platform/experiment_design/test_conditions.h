@@ -2,7 +2,7 @@
 
 #include <lacuna/trial.h>
 
-#include "fitting/noise_floor.h"
+#include "fitting/floor/noise_floor.h"
 
 #include <vector>
 

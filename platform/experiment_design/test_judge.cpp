@@ -1,7 +1,7 @@
 #include "experiment_design/test_judge.h"
 
 #include "experiment_design/test_line.h"
-#include "evaluation/target_simulator.h"
+#include "evaluation/prediction/target_simulator.h"
 
 #include <fmt/format.h>
 

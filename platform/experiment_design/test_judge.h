@@ -2,7 +2,7 @@
 
 #include "experiment_design/next_test.h"
 #include "experiment_design/rival_predictor.h"
-#include "evaluation/component_choice.h"
+#include "evaluation/model/component_choice.h"
 
 #include <array>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "experiment_design/test_line.h"
 
-#include "config/quantity.h"
-#include "foundation/problem.h"
-#include "measurement/column_name.h"
+#include "config/toml/quantity.h"
+#include "foundation/text/problem.h"
+#include "measurement/names/column_name.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "fitting/anew.h"
 
-#include "fitting/held_values.h"
-#include "fitting/refine_all.h"
+#include "fitting/shooting/held_values.h"
+#include "fitting/shooting/refine_all.h"
 #include "fitting/stage_drift.h"
-#include "fitting/start_points.h"
+#include "fitting/shooting/start_points.h"
 #include "foundation/address.h"
 
 namespace lacuna {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fitting/fit.h"
-#include "fitting/progress_meter.h"
-#include "fitting/refinement.h"
+#include "fitting/numerics/progress_meter.h"
+#include "fitting/shooting/refinement.h"
 
 #include <string>
 #include <vector>

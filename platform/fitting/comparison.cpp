@@ -1,13 +1,13 @@
 #include "fitting/comparison.h"
 
-#include "fitting/free_run.h"
-#include "fitting/progress_meter.h"
-#include "fitting/rms_of_parts.h"
+#include "fitting/floor/free_run.h"
+#include "fitting/numerics/progress_meter.h"
+#include "fitting/numerics/rms_of_parts.h"
 #include "fitting/scores.h"
 #include "fitting/stages.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
-#include "measurement/clock_check.h"
+#include "measurement/clocks/clock_check.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "fitting/cross_check.h"
 #include "fitting/error_parts.h"
-#include "fitting/free_run.h"
-#include "fitting/noise_floor.h"
-#include "fitting/progress.h"
+#include "fitting/floor/free_run.h"
+#include "fitting/floor/noise_floor.h"
+#include "fitting/numerics/progress.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "fitting/cross_check.h"
 
 #include "fitting/comparison.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>

@@ -1,16 +1,16 @@
 #include "fitting/fit.h"
 
 #include "fitting/anew.h"
-#include "fitting/covariance.h"
+#include "fitting/intervals/covariance.h"
 #include "fitting/fitted_values.h"
-#include "fitting/identifiability.h"
+#include "fitting/intervals/identifiability.h"
 #include "fitting/judged_values.h"
-#include "fitting/progress_meter.h"
-#include "fitting/refine_all.h"
+#include "fitting/numerics/progress_meter.h"
+#include "fitting/shooting/refine_all.h"
 #include "fitting/stage_drift.h"
 #include "fitting/stages.h"
-#include "fitting/start_points.h"
-#include "foundation/interrupt.h"
+#include "fitting/shooting/start_points.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 
 #include <lacuna/trial.h>
 
-#include "evaluation/model_definition.h"
-#include "fitting/noise_floor.h"
-#include "fitting/progress.h"
+#include "evaluation/model/model_definition.h"
+#include "fitting/floor/noise_floor.h"
+#include "fitting/numerics/progress.h"
 
 #include <cstdint>
 #include <string>
@@ -21,8 +21,8 @@ struct FitTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
-  /// What to do when the time limit is reached (foundation/interrupt.h): lift it and end with the best values so far,
-  /// or throw `TimeIsUp`.
+  /// What to do when the time limit is reached (foundation/processes/interrupt.h): lift it and end with the best values
+  /// so far, or throw `TimeIsUp`.
   bool best_at_time_limit = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/covariance.h"
+#include "fitting/intervals/covariance.h"
 #include "fitting/fit.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #include "fitting/integration_bias.h"
 
 #include "fitting/fitted_values.h"
-#include "fitting/reduced_rows.h"
+#include "fitting/shooting/reduced_rows.h"
 #include "fitting/stages.h"
 
 #include <algorithm>

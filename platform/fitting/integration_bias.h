@@ -1,9 +1,9 @@
 #pragma once
 
-#include "evaluation/model_definition.h"
-#include "fitting/covariance.h"
-#include "fitting/refinement.h"
-#include "fitting/start_states.h"
+#include "evaluation/model/model_definition.h"
+#include "fitting/intervals/covariance.h"
+#include "fitting/shooting/refinement.h"
+#include "fitting/starts/start_states.h"
 
 #include <memory>
 #include <optional>

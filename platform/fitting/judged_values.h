@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fitting/refinement.h"
-#include "fitting/start_states.h"
+#include "fitting/shooting/refinement.h"
+#include "fitting/starts/start_states.h"
 
 #include <memory>
 #include <string>

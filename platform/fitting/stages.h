@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fitting/fit.h"
-#include "fitting/start_states.h"
+#include "fitting/starts/start_states.h"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
 #include "fitting/substeps.h"
 
-#include "fitting/free_run.h"
-#include "fitting/noise_floor.h"
-#include "fitting/rms_of_parts.h"
-#include "foundation/interrupt.h"
+#include "fitting/floor/free_run.h"
+#include "fitting/floor/noise_floor.h"
+#include "fitting/numerics/rms_of_parts.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>

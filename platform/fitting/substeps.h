@@ -2,7 +2,7 @@
 
 #include <lacuna/trial.h>
 
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "fitting/integration_bias.h"
 
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formula/expression.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <optional>
 

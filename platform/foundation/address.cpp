@@ -1,6 +1,6 @@
 #include "foundation/address.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <lacuna/error.h>
 

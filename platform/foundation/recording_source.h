@@ -3,8 +3,8 @@
 #include <lacuna/setup.h>
 #include <lacuna/trial.h>
 
-#include "foundation/encoding.h"
-#include "foundation/problem.h"
+#include "foundation/text/encoding.h"
+#include "foundation/text/problem.h"
 
 #include <array>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "isolation/channel.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <poll.h>
 #include <sys/socket.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "eea/evaluations.h"
+#include "eea/definition/evaluations.h"
 #include "isolation/wire.h"
 
 #include <cstdint>

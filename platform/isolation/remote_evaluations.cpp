@@ -1,6 +1,6 @@
 #include "isolation/remote_evaluations.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "isolation/carried.h"
 #include "isolation/work_queue.h"

@@ -1,8 +1,8 @@
 #include "isolation/serve_evaluations.h"
 
 #include "eea/local_evaluations.h"
-#include "foundation/plugin_call.h"
-#include "foundation/process_limits.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/processes/process_limits.h"
 #include "isolation/carried.h"
 
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "eea/eea_definition.h"
+#include "eea/definition/eea_definition.h"
 #include "isolation/channel.h"
 #include "isolation/messages.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/child_program.h"
+#include "foundation/processes/child_program.h"
 #include "isolation/channel.h"
 #include "isolation/messages.h"
 

@@ -1,8 +1,8 @@
 #include "loading/child_process.h"
 
-#include "foundation/child_program.h"
-#include "foundation/plugin_call.h"
-#include "foundation/plugin_libraries.h"
+#include "foundation/processes/child_program.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/plugins/plugin_libraries.h"
 
 #include <lacuna/error.h>
 

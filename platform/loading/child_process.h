@@ -12,7 +12,7 @@ struct ChildAnswer {
   /// Empty where it returned, else what ended the child, as in "ended the program by signal 7 (Bus error)", "took
   /// longer than 10 s" or "stopped the program by signal 19 (SIGSTOP)".
   std::string death;
-  /// The plugin call (foundation/plugin_call.h) that the child died in, as in "describe"; empty: in none.
+  /// The plugin call (foundation/plugins/plugin_call.h) that the child died in, as in "describe"; empty: in none.
   std::string call;
   /// The plugin library whose code ended the child outside of all calls, as in a thread that it started; empty: none,
   /// or not known.

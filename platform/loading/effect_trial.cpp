@@ -1,7 +1,7 @@
 #include "loading/effect_trial.h"
 
-#include "foundation/plugin_call.h"
-#include "foundation/process_watch.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/processes/process_watch.h"
 #include "loading/allocation_count.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "loading/plugin_catalog.h"
 
-#include "foundation/shell_word.h"
+#include "foundation/text/shell_word.h"
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
 #include "loading/conformance.h"

@@ -2,7 +2,7 @@
 
 #include <lacuna/plugin.h>
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 #include "loading/plugin_library.h"
 
 #include <filesystem>
@@ -35,7 +35,7 @@ class PluginCatalog {
   /// good ones: they are kept as `problems()`, and asking for a component that is missing names them.
   ///
   /// Then each component is made and asked what it is in a child process, with a time limit: one that ends the child,
-  /// or takes too long, or changes the process (foundation/process_watch.h), or says of itself what cannot be
+  /// or takes too long, or changes the process (foundation/processes/process_watch.h), or says of itself what cannot be
   /// (loading/conformance.h), is refused with a sentence; the others go on working. The hooks of an effect are tried as
   /// well (loading/effect_probe.h).
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);

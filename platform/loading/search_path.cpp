@@ -1,6 +1,6 @@
 #include "loading/plugin_catalog.h"
 
-#include "foundation/allowed_files.h"
+#include "foundation/files/allowed_files.h"
 
 #include <cstdlib>
 #include <sstream>

@@ -1,10 +1,10 @@
 #include "measurement/command_file.h"
 
-#include "foundation/csv_cell.h"
+#include "foundation/text/csv_cell.h"
 #include "foundation/unit.h"
-#include "measurement/column_name.h"
-#include "measurement/csv_table.h"
-#include "measurement/measured_text.h"
+#include "measurement/names/column_name.h"
+#include "measurement/csv/csv_table.h"
+#include "measurement/csv/measured_text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "measurement/line_departures.h"
 
-#include "measurement/clock_check.h"
-#include "measurement/known_readings.h"
+#include "measurement/clocks/clock_check.h"
+#include "measurement/series/known_readings.h"
 
 #include <cmath>
 

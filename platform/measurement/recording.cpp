@@ -1,14 +1,14 @@
 #include "measurement/recording.h"
 
 #include "foundation/address.h"
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 #include "foundation/unit.h"
-#include "measurement/clock_check.h"
-#include "measurement/controller_plan.h"
-#include "measurement/plausibility.h"
-#include "measurement/read_tables.h"
-#include "measurement/reading_check.h"
-#include "measurement/trial_builder.h"
+#include "measurement/clocks/clock_check.h"
+#include "measurement/trials/controller_plan.h"
+#include "measurement/trials/plausibility.h"
+#include "measurement/trials/read_tables.h"
+#include "measurement/trials/reading_check.h"
+#include "measurement/trials/trial_builder.h"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include <lacuna/time_series.h>
 
 #include "foundation/recording_source.h"
-#include "measurement/file_report.h"
-#include "measurement/recording_formats.h"
+#include "measurement/csv/file_report.h"
+#include "measurement/trials/recording_formats.h"
 
 #include <functional>
 #include <string>

@@ -3,9 +3,9 @@
 #include <lacuna/robot_spec.h>
 
 #include "foundation/unit.h"
-#include "measurement/clock_check.h"
+#include "measurement/clocks/clock_check.h"
 #include "measurement/line_departures.h"
-#include "measurement/quantisation.h"
+#include "measurement/series/quantisation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "measurement/rig_guess.h"
 
 #include "foundation/address.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "foundation/unit.h"
-#include "measurement/clock_check.h"
-#include "measurement/column_words.h"
-#include "measurement/file_report.h"
+#include "measurement/clocks/clock_check.h"
+#include "measurement/names/column_words.h"
+#include "measurement/csv/file_report.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <lacuna/robot_spec.h>
 
 #include "foundation/recording_source.h"
-#include "measurement/robot_match.h"
+#include "measurement/guesses/robot_match.h"
 
 #include <optional>
 #include <string>

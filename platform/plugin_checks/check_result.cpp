@@ -1,7 +1,7 @@
 #include "plugin_checks/check_result.h"
 
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
 
 #include <lacuna/error.h>
 

@@ -1,6 +1,6 @@
 #include "plugin_checks/component_check.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "loading/allocation_count.h"
 #include "loading/component_kinds.h"
 #include "loading/conformance.h"

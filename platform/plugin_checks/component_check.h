@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 #include "plugin_checks/check_result.h"
 #include "plugin_checks/exercise.h"
 

@@ -1,6 +1,6 @@
 #include "plugin_checks/exercise.h"
 
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 #include "loading/allocation_count.h"
 
 #include <algorithm>

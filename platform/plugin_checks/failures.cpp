@@ -1,6 +1,6 @@
 #include "plugin_checks/failures.h"
 
-#include "foundation/plugin_fault.h"
+#include "foundation/plugins/plugin_fault.h"
 
 #include <map>
 

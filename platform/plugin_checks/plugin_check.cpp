@@ -1,6 +1,6 @@
 #include "plugin_checks/plugin_check.h"
 
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
 #include "loading/plugin_library.h"

@@ -1,7 +1,7 @@
 #include "prediction/linear_prediction.h"
 
-#include "fitting/start_states.h"
-#include "foundation/interrupt.h"
+#include "fitting/starts/start_states.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "prediction/start_by_readings.h"
 #include "prediction/start_prior.h"

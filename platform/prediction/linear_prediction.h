@@ -1,7 +1,7 @@
 #pragma once
 
 #include "criterion/cost.h"
-#include "fitting/parameter_space.h"
+#include "fitting/shooting/parameter_space.h"
 #include "prediction/prediction_ladder.h"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #include "prediction/prediction_ladder.h"
 
-#include "fitting/segments.h"
+#include "fitting/starts/segments.h"
 #include "foundation/address.h"
 
 #include <algorithm>

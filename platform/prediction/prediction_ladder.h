@@ -1,7 +1,7 @@
 #pragma once
 
 #include "criterion/block_products.h"
-#include "fitting/noise_floor.h"
+#include "fitting/floor/noise_floor.h"
 #include "prediction/smoothed_starts.h"
 
 #include <Eigen/Core>

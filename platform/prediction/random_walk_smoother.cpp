@@ -1,6 +1,6 @@
 #include "prediction/random_walk_smoother.h"
 
-#include "fitting/robust_loss.h"
+#include "fitting/numerics/robust_loss.h"
 
 #include <lacuna/error.h>
 

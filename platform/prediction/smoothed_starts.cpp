@@ -1,6 +1,6 @@
 #include "prediction/smoothed_starts.h"
 
-#include "measurement/quantisation.h"
+#include "measurement/series/quantisation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/start_states.h"
+#include "fitting/starts/start_states.h"
 #include "prediction/random_walk_smoother.h"
 
 #include <memory>

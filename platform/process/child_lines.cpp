@@ -1,7 +1,7 @@
 #include "process/child_lines.h"
 
-#include "foundation/allowed_files.h"
-#include "foundation/interrupt.h"
+#include "foundation/files/allowed_files.h"
+#include "foundation/processes/interrupt.h"
 #include "process/quoted_text.h"
 
 #include <lacuna/error.h>

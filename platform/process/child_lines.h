@@ -1,7 +1,7 @@
 #pragma once
 
-#include "foundation/child_program.h"
-#include "foundation/process_source.h"
+#include "foundation/processes/child_program.h"
+#include "foundation/processes/process_source.h"
 
 #include <lacuna/error.h>
 

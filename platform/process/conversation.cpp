@@ -1,6 +1,6 @@
 #include "process/conversation.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "process/json_message.h"
 #include "process/trial_messages.h"
 

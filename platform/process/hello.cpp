@@ -1,6 +1,6 @@
 #include "process/hello.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "foundation/unit.h"
 #include "process/json_message.h"
 #include "process/quoted_text.h"

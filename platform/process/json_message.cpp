@@ -1,6 +1,6 @@
 #include "process/json_message.h"
 
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 #include "process/quoted_text.h"
 
 #include <fmt/format.h>

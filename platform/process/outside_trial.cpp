@@ -1,6 +1,6 @@
 #include "process/outside_trial.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "process/json_message.h"
 #include "process/quoted_text.h"
 

@@ -1,7 +1,7 @@
 #include "process/process_target.h"
 
-#include "foundation/interrupt.h"
-#include "foundation/plugin_call.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/plugins/plugin_call.h"
 #include "process/child_lines.h"
 #include "process/conversation.h"
 #include "process/json_message.h"

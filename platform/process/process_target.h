@@ -3,8 +3,8 @@
 #include <lacuna/target_system.h>
 #include <lacuna/test_encoding.h>
 
-#include "foundation/problem.h"
-#include "foundation/process_source.h"
+#include "foundation/text/problem.h"
+#include "foundation/processes/process_source.h"
 #include "process/hello.h"
 #include "process/trial_messages.h"
 

@@ -1,6 +1,6 @@
 #include "residual_law/force_pulses.h"
 
-#include "fitting/disturbance.h"
+#include "fitting/floor/disturbance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "search/effect_look.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "prediction/whitened_columns.h"
 #include "search/extreme_stretches.h"

@@ -1,6 +1,6 @@
 #include "search/effect_search.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "search/fit_starts.h"
 #include "search/nesting.h"
 #include "search/promise_order.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "config/experiment.h"
+#include "config/schema/experiment.h"
 #include "candidates/contender.h"
 #include "candidates/data_scales.h"
 #include "candidates/timing.h"

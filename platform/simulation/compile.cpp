@@ -1,6 +1,6 @@
 #include "simulation/compiled_model.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "simulation/articulated/articulated_engine.h"
 #include "simulation/ode/ode_engine.h"
 

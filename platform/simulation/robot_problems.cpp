@@ -1,6 +1,6 @@
 #include "simulation/robot_problems.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "simulation/shared/joint_tree.h"
 #include "simulation/shared/robot_checks.h"
 

@@ -1,9 +1,9 @@
 #include "tasks/slurm_jobs.h"
 
-#include "foundation/child_program.h"
-#include "foundation/plain_text.h"
-#include "foundation/shell_word.h"
-#include "foundation/whole_file.h"
+#include "foundation/processes/child_program.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/shell_word.h"
+#include "foundation/files/whole_file.h"
 
 #include <lacuna/error.h>
 

@@ -1,8 +1,8 @@
 #include "tasks/task_database.h"
 
-#include "foundation/guarded_call.h"
-#include "foundation/interrupt.h"
-#include "foundation/problem.h"
+#include "foundation/processes/guarded_call.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/problem.h"
 #include "storage/core/storage_error.h"
 #include "storage/files/log_left.h"
 #include "storage/queries/runs_of_task.h"

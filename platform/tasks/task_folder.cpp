@@ -1,9 +1,9 @@
 #include "tasks/task_folder.h"
 
-#include "foundation/json_depth.h"
-#include "foundation/problem.h"
-#include "foundation/whole_file.h"
-#include "storage/core/backup.h"
+#include "foundation/text/json_depth.h"
+#include "foundation/text/problem.h"
+#include "foundation/files/whole_file.h"
+#include "storage/integrity/backup.h"
 #include "storage/core/clock.h"
 #include "tasks/task_database.h"
 

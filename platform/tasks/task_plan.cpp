@@ -1,8 +1,8 @@
 #include "tasks/task_plan.h"
 
 #include "foundation/digest.h"
-#include "foundation/json_depth.h"
-#include "foundation/problem.h"
+#include "foundation/text/json_depth.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

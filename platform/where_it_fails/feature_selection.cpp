@@ -1,6 +1,6 @@
 #include "where_it_fails/feature_selection.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "where_it_fails/model_state.h"
 
-#include "evaluation/trial_predictor.h"
+#include "evaluation/prediction/trial_predictor.h"
 #include "foundation/address.h"
 
 #include <limits>

@@ -2,9 +2,9 @@
 
 #include "where_it_fails/model_state.h"
 #include "where_it_fails/motion.h"
-#include "fitting/start_states.h"
+#include "fitting/starts/start_states.h"
 #include "foundation/address.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "where_it_fails/where_it_fails.h"
 
 #include "where_it_fails/residual_view.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 
 #include "config/experiment_reader.h"
 #include "data_checks/recorded_pendulum.h"
-#include "measurement/recorded_controller.h"
+#include "measurement/trials/recorded_controller.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>

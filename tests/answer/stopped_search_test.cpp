@@ -1,7 +1,7 @@
 #include "answer/find_missing_effects.h"
 #include "config/experiment_reader.h"
 #include "data_checks/recorded_pendulum.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>

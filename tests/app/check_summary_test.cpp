@@ -1,6 +1,6 @@
 #include "app/workspace/check_summary.h"
 
-#include "config/robot_reader.h"
+#include "config/robots/robot_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "app/terminal/output.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "support/test_folder.h"
 
 #include <gmock/gmock.h>

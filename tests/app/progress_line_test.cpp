@@ -2,7 +2,7 @@
 
 #include "app/runs/run_display.h"
 #include "app/terminal/json_messages.h"
-#include "fitting/progress_meter.h"
+#include "fitting/numerics/progress_meter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <lacuna/error.h>
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "support/test_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "app/terminal/supervised.h"
 
-#include "foundation/interrupt.h"
-#include "foundation/plugin_call.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/plugins/plugin_call.h"
 #include "support/sanitizers.h"
 #include "support/test_folder.h"
 

@@ -1,6 +1,6 @@
 #include "app/terminal/time_limit.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

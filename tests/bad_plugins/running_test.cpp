@@ -1,5 +1,5 @@
 #include "bad_plugins/bad_folder.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "answer/fitted_values.h"
 #include "answer/search_findings.h"
 #include "app/workspace/rig.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "search/effect_search.h"
 
 #include <fmt/format.h>

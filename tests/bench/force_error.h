@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/trial_predictor.h"
+#include "evaluation/prediction/trial_predictor.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/model_scorer.h"
+#include "evaluation/scoring/model_scorer.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "config/experiment_reader.h"
-#include "config/robot_reader.h"
-#include "config/text_file.h"
+#include "config/robots/robot_reader.h"
+#include "config/toml/text_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "config/decided.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

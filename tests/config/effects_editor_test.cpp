@@ -1,6 +1,6 @@
-#include "config/effects_editor.h"
+#include "config/edits/effects_editor.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "config/file_references.h"
 
-#include "config/text_file.h"
+#include "config/toml/text_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "config/free_editor.h"
+#include "config/edits/free_editor.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

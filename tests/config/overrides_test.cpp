@@ -1,6 +1,6 @@
 #include "config/overrides.h"
 
-#include "config/toml_parser.h"
+#include "config/toml/toml_parser.h"
 
 #include <gmock/gmock.h>
 

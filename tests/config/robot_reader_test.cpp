@@ -1,4 +1,4 @@
-#include "config/robot_reader.h"
+#include "config/robots/robot_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "config/robot_reader.h"
-#include "config/robot_writer.h"
+#include "config/robots/robot_reader.h"
+#include "config/robots/robot_writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "config/toml_parser.h"
+#include "config/toml/toml_parser.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/experiment_reader.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "plugins/built_catalog.h"
 #include "support/simulation_run.h"
 #include "support/test_folder.h"

@@ -1,7 +1,7 @@
 #include "data_checks/feedback_bias.h"
 
 #include "data_checks/recorded_pendulum.h"
-#include "measurement/recorded_controller.h"
+#include "measurement/trials/recorded_controller.h"
 
 #include <gmock/gmock.h>
 

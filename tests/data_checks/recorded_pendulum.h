@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data_checks/doubt.h"
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/seeded_noise.h"
 #include "foundation/address.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "eea/band_support.h"
+#include "eea/ensemble/band_support.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "eea/same_rows.h"
 #include "eea/small_run.h"
-#include "evaluation/model_scorer.h"
+#include "evaluation/scoring/model_scorer.h"
 
 #include <gmock/gmock.h>
 

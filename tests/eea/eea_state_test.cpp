@@ -1,4 +1,4 @@
-#include "eea/eea_state.h"
+#include "eea/definition/eea_state.h"
 
 #include <lacuna/error.h>
 

@@ -1,4 +1,4 @@
-#include "eea/ensemble_band.h"
+#include "eea/ensemble/ensemble_band.h"
 
 #include <lacuna/random_stream.h>
 

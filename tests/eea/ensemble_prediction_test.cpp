@@ -1,4 +1,4 @@
-#include "eea/ensemble_prediction.h"
+#include "eea/ensemble/ensemble_prediction.h"
 
 #include "eea/small_run.h"
 

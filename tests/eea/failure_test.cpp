@@ -1,7 +1,7 @@
 #include "eea/estimation.h"
 #include "eea/exploration.h"
 #include "eea/small_run.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "eea/judges.h"
+#include "eea/ensemble/judges.h"
 #include "eea/small_run.h"
 
 #include <gmock/gmock.h>

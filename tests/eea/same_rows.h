@@ -1,6 +1,6 @@
 #pragma once
 
-#include "eea/eea_journal.h"
+#include "eea/definition/eea_journal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "eea/delays.h"
-#include "eea/ensemble.h"
-#include "eea/ensemble_prediction.h"
+#include "eea/definition/delays.h"
+#include "eea/ensemble/ensemble.h"
+#include "eea/ensemble/ensemble_prediction.h"
 #include "eea/small_run.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
-#include "evaluation/hidden_truth.h"
+#include "evaluation/model/hidden_truth.h"
 
 #include "config/experiment_reader.h"
-#include "evaluation/target_simulator.h"
+#include "evaluation/prediction/target_simulator.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "evaluation/holding_commands.h"
+#include "evaluation/prediction/holding_commands.h"
 
-#include "evaluation/trial_predictor.h"
+#include "evaluation/prediction/trial_predictor.h"
 #include "foundation/address.h"
 #include "support/robots.h"
 

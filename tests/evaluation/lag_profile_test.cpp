@@ -1,4 +1,4 @@
-#include "evaluation/model_scorer.h"
+#include "evaluation/scoring/model_scorer.h"
 
 #include "plugins/built_catalog.h"
 #include "support/robots.h"

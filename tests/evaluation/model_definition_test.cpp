@@ -1,4 +1,4 @@
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 
 #include "plugins/built_catalog.h"
 

@@ -1,6 +1,6 @@
-#include "evaluation/model_scorer.h"
+#include "evaluation/scoring/model_scorer.h"
 
-#include "evaluation/model_evaluator.h"
+#include "evaluation/scoring/model_evaluator.h"
 #include "plugins/built_catalog.h"
 #include "support/robots.h"
 

@@ -1,5 +1,5 @@
-#include "evaluation/candidate_desk.h"
-#include "evaluation/robot_key.h"
+#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/robots/robot_key.h"
 #include "support/robots.h"
 
 #include <gmock/gmock.h>

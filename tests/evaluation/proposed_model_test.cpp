@@ -1,7 +1,7 @@
-#include "evaluation/proposed_model.h"
+#include "evaluation/model/proposed_model.h"
 
-#include "evaluation/candidate_desk.h"
-#include "evaluation/model_evaluator.h"
+#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/scoring/model_evaluator.h"
 #include "plugins/built_catalog.h"
 #include "support/robots.h"
 

@@ -1,5 +1,5 @@
-#include "evaluation/known_setups.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/known_setups.h"
+#include "evaluation/model/model_definition.h"
 
 #include "plugins/built_catalog.h"
 #include "support/robots.h"

@@ -1,7 +1,7 @@
 // From files of other programs to trials, by the plugins of this build.
 
 #include "evaluation/recording_files.h"
-#include "measurement/file_sample.h"
+#include "measurement/guesses/file_sample.h"
 #include "measurement/recording.h"
 #include "measurement/rig_guess.h"
 #include "plugins/built_catalog.h"

@@ -1,4 +1,4 @@
-#include "evaluation/redundant_effect.h"
+#include "evaluation/model/redundant_effect.h"
 
 #include "plugins/built_catalog.h"
 

@@ -1,4 +1,4 @@
-#include "evaluation/robot_comparison.h"
+#include "evaluation/robots/robot_comparison.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

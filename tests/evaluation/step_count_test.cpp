@@ -1,4 +1,4 @@
-#include "evaluation/step_count.h"
+#include "evaluation/prediction/step_count.h"
 
 #include <gmock/gmock.h>
 

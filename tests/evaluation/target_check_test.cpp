@@ -1,7 +1,7 @@
-#include "evaluation/target_check.h"
+#include "evaluation/model/target_check.h"
 
-#include "config/robot_reader.h"
-#include "foundation/problem.h"
+#include "config/robots/robot_reader.h"
+#include "foundation/text/problem.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "evaluation/trial_predictor.h"
+#include "evaluation/prediction/trial_predictor.h"
 
 #include "fitting/analytic_models.h"
 

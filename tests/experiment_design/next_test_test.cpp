@@ -4,8 +4,8 @@
 #include "experiment_design/rival_predictor.h"
 #include "experiment_design/test_judge.h"
 #include "experiment_design/test_line.h"
-#include "evaluation/test_space.h"
-#include "fitting/parameter_space.h"
+#include "evaluation/prediction/test_space.h"
+#include "fitting/shooting/parameter_space.h"
 #include "plugins/built_catalog.h"
 
 #include <fmt/format.h>

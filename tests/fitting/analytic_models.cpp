@@ -1,6 +1,6 @@
 #include "fitting/analytic_models.h"
 
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/seeded_noise.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "simulation/compiled_model.h"
 
 #include <functional>

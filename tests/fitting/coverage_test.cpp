@@ -1,8 +1,8 @@
 #include "fitting/fit.h"
 
 #include "fitting/analytic_models.h"
-#include "fitting/correlation_time.h"
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/correlation_time.h"
+#include "fitting/numerics/seeded_noise.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "fitting/fit.h"
 
 #include "fitting/analytic_models.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "fitting/start_states.h"
+#include "fitting/starts/start_states.h"
 #include "support/robots.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "fitting/fit.h"
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/seeded_noise.h"
 #include "support/robots.h"
 
 #include <gtest/gtest.h>

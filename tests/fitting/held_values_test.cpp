@@ -1,4 +1,4 @@
-#include "fitting/held_values.h"
+#include "fitting/shooting/held_values.h"
 
 #include "fitting/analytic_models.h"
 

@@ -1,4 +1,4 @@
-#include "fitting/least_squares.h"
+#include "fitting/numerics/least_squares.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "fitting/noise_floor.h"
+#include "fitting/floor/noise_floor.h"
 
 #include "fitting/analytic_models.h"
-#include "fitting/disturbance.h"
-#include "fitting/free_run.h"
-#include "fitting/seeded_noise.h"
+#include "fitting/floor/disturbance.h"
+#include "fitting/floor/free_run.h"
+#include "fitting/numerics/seeded_noise.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "fitting/parameter_space.h"
+#include "fitting/shooting/parameter_space.h"
 
 #include "fitting/analytic_models.h"
 #include "fitting/fit.h"
-#include "fitting/start_points.h"
+#include "fitting/shooting/start_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fitting/restarts.h"
+#include "fitting/starts/restarts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "fitting/start_states.h"
+#include "fitting/starts/start_states.h"
 
 #include "fitting/analytic_models.h"
-#include "fitting/head_fit.h"
-#include "fitting/local_polynomial.h"
-#include "fitting/segments.h"
+#include "fitting/starts/head_fit.h"
+#include "fitting/numerics/local_polynomial.h"
+#include "fitting/starts/segments.h"
 
 #include <gtest/gtest.h>
 

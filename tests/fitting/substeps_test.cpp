@@ -1,6 +1,6 @@
 #include "fitting/substeps.h"
 
-#include "evaluation/trial_predictor.h"
+#include "evaluation/prediction/trial_predictor.h"
 #include "fitting/analytic_models.h"
 #include "fitting/comparison.h"
 #include "fitting/cross_check.h"

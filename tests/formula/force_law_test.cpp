@@ -2,7 +2,7 @@
 
 #include "formula/formula_parser.h"
 #include "foundation/placement_unit.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "foundation/unit.h"
 
 #include <gmock/gmock.h>

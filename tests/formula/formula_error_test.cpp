@@ -1,5 +1,5 @@
 #include "formula/force_law.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "foundation/allowed_files.h"
+#include "foundation/files/allowed_files.h"
 
 #include "support/test_folder.h"
 

@@ -1,4 +1,4 @@
-#include "foundation/child_program.h"
+#include "foundation/processes/child_program.h"
 
 #include "support/test_folder.h"
 

@@ -1,4 +1,4 @@
-#include "foundation/code_points.h"
+#include "foundation/text/code_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "foundation/csv_cell.h"
+#include "foundation/text/csv_cell.h"
 
 #include <gtest/gtest.h>
 

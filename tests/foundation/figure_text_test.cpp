@@ -1,4 +1,4 @@
-#include "foundation/figure_text.h"
+#include "foundation/text/figure_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "foundation/file_sandbox.h"
+#include "foundation/files/file_sandbox.h"
 
-#include "foundation/allowed_files.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/allowed_files.h"
+#include "foundation/files/whole_file.h"
 #include "support/test_folder.h"
 
 #include <gtest/gtest.h>

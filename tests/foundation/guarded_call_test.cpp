@@ -1,4 +1,4 @@
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 
 #include <lacuna/error.h>
 

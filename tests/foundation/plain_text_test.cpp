@@ -1,4 +1,4 @@
-#include "foundation/plain_text.h"
+#include "foundation/text/plain_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 #include "foundation/parallel.h"
 
 #include <gmock/gmock.h>

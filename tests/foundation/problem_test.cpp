@@ -1,4 +1,4 @@
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <gtest/gtest.h>
 

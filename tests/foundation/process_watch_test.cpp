@@ -1,6 +1,6 @@
-#include "foundation/process_watch.h"
+#include "foundation/processes/process_watch.h"
 
-#include "foundation/guarded_call.h"
+#include "foundation/processes/guarded_call.h"
 
 #include <gmock/gmock.h>
 

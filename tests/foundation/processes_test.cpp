@@ -1,6 +1,6 @@
-#include "foundation/processes.h"
+#include "foundation/processes/processes.h"
 
-#include "foundation/child_program.h"
+#include "foundation/processes/child_program.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "foundation/shell_word.h"
+#include "foundation/text/shell_word.h"
 
 #include <gtest/gtest.h>
 

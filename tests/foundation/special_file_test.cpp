@@ -1,6 +1,6 @@
-#include "foundation/special_file.h"
+#include "foundation/files/special_file.h"
 
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 #include "support/test_folder.h"
 
 #include <lacuna/error.h>

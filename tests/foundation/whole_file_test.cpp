@@ -1,4 +1,4 @@
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 
 #include <lacuna/error.h>
 

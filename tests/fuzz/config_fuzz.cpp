@@ -1,9 +1,9 @@
 // Any bytes are either read or refused with located problems: no crash, no hang, no other exception.
 // The first byte chooses the reader; the rest is the file.
 
-#include "config/effects_editor.h"
+#include "config/edits/effects_editor.h"
 #include "config/experiment_reader.h"
-#include "config/robot_reader.h"
+#include "config/robots/robot_reader.h"
 
 #include <cstdint>
 #include <cstdio>

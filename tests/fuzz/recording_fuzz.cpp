@@ -3,7 +3,7 @@
 
 #include "fuzzing.h"
 #include "measurement/command_file.h"
-#include "measurement/file_sample.h"
+#include "measurement/guesses/file_sample.h"
 #include "measurement/recording.h"
 #include "measurement/rig_guess.h"
 #include "support/test_folder.h"

@@ -1,6 +1,6 @@
 #include "loading/child_process.h"
 
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <gmock/gmock.h>
 

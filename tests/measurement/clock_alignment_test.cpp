@@ -1,4 +1,4 @@
-#include "measurement/clock_alignment.h"
+#include "measurement/clocks/clock_alignment.h"
 
 #include "measurement_fixture.h"
 

@@ -1,5 +1,5 @@
-#include "measurement/column_name.h"
-#include "measurement/column_words.h"
+#include "measurement/names/column_name.h"
+#include "measurement/names/column_words.h"
 #include "measurement/rig_guess.h"
 #include "measurement_fixture.h"
 

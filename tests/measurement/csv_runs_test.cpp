@@ -1,4 +1,4 @@
-#include "measurement/csv_runs.h"
+#include "measurement/csv/csv_runs.h"
 #include "measurement/rig_guess.h"
 #include "measurement_fixture.h"
 

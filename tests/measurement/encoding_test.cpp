@@ -1,5 +1,5 @@
-#include "measurement/decode.h"
-#include "measurement/encoding_guess.h"
+#include "measurement/cells/decode.h"
+#include "measurement/trials/encoding_guess.h"
 
 #include "measurement_fixture.h"
 

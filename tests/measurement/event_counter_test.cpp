@@ -1,4 +1,4 @@
-#include "measurement/event_counter.h"
+#include "measurement/series/event_counter.h"
 
 #include "measurement_fixture.h"
 

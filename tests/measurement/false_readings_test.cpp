@@ -1,5 +1,5 @@
-#include "measurement/glitches.h"
-#include "measurement/repeats.h"
+#include "measurement/series/glitches.h"
+#include "measurement/series/repeats.h"
 
 #include "measurement_fixture.h"
 

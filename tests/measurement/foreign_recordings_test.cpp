@@ -1,6 +1,6 @@
 // Files that a recording format reads, not the host.
 
-#include "measurement/file_sample.h"
+#include "measurement/guesses/file_sample.h"
 #include "measurement/rig_guess.h"
 #include "measurement_fixture.h"
 

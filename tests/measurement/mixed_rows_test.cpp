@@ -1,5 +1,5 @@
-#include "measurement/glitches.h"
-#include "measurement/second_stream.h"
+#include "measurement/series/glitches.h"
+#include "measurement/series/second_stream.h"
 
 #include "measurement_fixture.h"
 #include "mixed_columns.h"

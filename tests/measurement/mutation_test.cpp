@@ -1,6 +1,6 @@
 // Whatever a file holds, reading it ends in trials or in `BadInput`: no crash, no hang, no other exception.
 
-#include "measurement/file_sample.h"
+#include "measurement/guesses/file_sample.h"
 #include "measurement/rig_guess.h"
 #include "measurement_fixture.h"
 

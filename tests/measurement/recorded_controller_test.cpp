@@ -1,4 +1,4 @@
-#include "measurement/recorded_controller.h"
+#include "measurement/trials/recorded_controller.h"
 
 #include "measurement_fixture.h"
 

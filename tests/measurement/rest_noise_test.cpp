@@ -1,6 +1,6 @@
 #include "measurement/rest_noise.h"
 
-#include "measurement/quantisation.h"
+#include "measurement/series/quantisation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

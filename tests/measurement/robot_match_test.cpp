@@ -1,4 +1,4 @@
-#include "measurement/logged_drives.h"
+#include "measurement/guesses/logged_drives.h"
 #include "measurement/rig_guess.h"
 #include "measurement_fixture.h"
 

@@ -1,5 +1,5 @@
-#include "measurement/wrap_guess.h"
-#include "measurement/encoding_guess.h"
+#include "measurement/series/wrap_guess.h"
+#include "measurement/trials/encoding_guess.h"
 
 #include "measurement_fixture.h"
 

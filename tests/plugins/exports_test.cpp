@@ -1,4 +1,4 @@
-#include "measurement/csv_table.h"
+#include "measurement/csv/csv_table.h"
 #include "plugins/recording_files.h"
 #include "report/exports/mcap_trace.h"
 #include "report/exports/mcap_writer.h"

@@ -1,7 +1,7 @@
 #include "app/workspace/component_details.h"
 #include "config/experiment_reader.h"
 #include "eea/small_run.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "foundation/placement_unit.h"
 #include "plugins/built_catalog.h"
 #include "support/test_folder.h"

@@ -1,6 +1,6 @@
 #include "prediction/random_walk_smoother.h"
 
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/seeded_noise.h"
 
 #include <lacuna/error.h>
 

@@ -1,4 +1,4 @@
-#include "foundation/plain_text.h"
+#include "foundation/text/plain_text.h"
 #include "report/figures/figure.h"
 #include "report/figures/robot_drawing.h"
 #include "report/text/history_text.h"

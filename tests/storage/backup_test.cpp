@@ -1,7 +1,7 @@
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/asked.h"
 #include "storage/child_process.h"
-#include "storage/core/backup.h"
+#include "storage/integrity/backup.h"
 #include "storage/small_database.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/asked.h"
 #include "storage/core/statement.h"
 #include "storage/made_up_run.h"

@@ -1,4 +1,4 @@
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/queries/query_output.h"
 #include "storage/queries/stored_tables.h"
 #include "storage/small_database.h"

@@ -1,6 +1,6 @@
 #include "storage/pages/page_database.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include "storage/asked.h"
 #include "storage/core/without_folders.h"

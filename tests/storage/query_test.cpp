@@ -1,5 +1,5 @@
-#include "foundation/interrupt.h"
-#include "foundation/problem.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/problem.h"
 #include "storage/child_process.h"
 #include "storage/queries/query_output.h"
 #include "storage/small_database.h"

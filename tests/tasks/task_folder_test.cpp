@@ -1,6 +1,6 @@
 #include "tasks/task_folder.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/asked.h"
 #include "storage/small_database.h"
 #include "tasks/made_up_plan.h"

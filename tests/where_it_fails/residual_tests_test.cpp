@@ -1,6 +1,6 @@
 #include "where_it_fails/residual_tests.h"
 
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/seeded_noise.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "where_it_fails/motion.h"
 #include "fitting/error_parts.h"
-#include "fitting/seeded_noise.h"
+#include "fitting/numerics/seeded_noise.h"
 #include "foundation/address.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "calibration/calibrate.h"
 #include "dirty/dirty_plan.h"
 #include "figures/figure_values.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

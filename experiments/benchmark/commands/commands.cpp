@@ -1,7 +1,7 @@
 #include "commands/commands.h"
 
 #include "command_line/usage_error.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include "figures/pictures.h"
 #include "figures/tables.h"
 #include "figures/withheld_table.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 #include "runs/dirty_store.h"
 #include "runs/work_folder.h"
 

@@ -1,7 +1,7 @@
 #include "commands/lacuna_program.h"
 
 #include "foundation/digest.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <fmt/format.h>
 

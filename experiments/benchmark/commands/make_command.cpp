@@ -7,7 +7,7 @@
 #include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
 #include "dirty/write_dirty_case.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 #include "runs/case_truth.h"
 #include "runs/dirty_truth.h"
 #include "runs/run_contact_case.h"

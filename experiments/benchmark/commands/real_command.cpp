@@ -2,7 +2,7 @@
 #include "commands/lacuna_program.h"
 #include "commands/not_empty.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "measured_rigs/rig_results.h"
 #include "runs/case_failure.h"
 #include "runs/work_folder.h"

@@ -1,7 +1,7 @@
 #include "contacts/engine_model.h"
 
 #include "config/experiment_reader.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "foundation/address.h"
 
 #include <fmt/format.h>

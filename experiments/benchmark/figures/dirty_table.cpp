@@ -1,7 +1,7 @@
 #include "figures/dirty_table.h"
 
 #include "figures/dirty_scores.h"
-#include "foundation/figure_text.h"
+#include "foundation/text/figure_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #include "figures/matrix_picture.h"
 
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 
 #include <fmt/format.h>
 

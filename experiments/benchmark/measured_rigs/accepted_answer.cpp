@@ -1,6 +1,6 @@
 #include "measured_rigs/accepted_answer.h"
 
-#include "config/toml_parser.h"
+#include "config/toml/toml_parser.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,7 +1,7 @@
 #include "measured_rigs/rig_results.h"
 
-#include "foundation/figure_text.h"
-#include "foundation/whole_file.h"
+#include "foundation/text/figure_text.h"
+#include "foundation/files/whole_file.h"
 #include "measured_rigs/set_scores.h"
 #include "runs/case_failure.h"
 #include "runs/child_process.h"

@@ -1,6 +1,6 @@
 #include "runs/child_process.h"
 
-#include "foundation/child_program.h"
+#include "foundation/processes/child_program.h"
 
 #include <chrono>
 #include <optional>

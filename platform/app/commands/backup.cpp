@@ -1,8 +1,8 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
 #include "app/terminal/progress_line.h"
-#include "foundation/plain_text.h"
-#include "storage/core/backup.h"
+#include "foundation/text/plain_text.h"
+#include "storage/integrity/backup.h"
 #include "storage/files/log_left.h"
 
 #include <CLI/CLI.hpp>

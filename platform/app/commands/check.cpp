@@ -7,8 +7,8 @@
 #include "app/workspace/rig.h"
 #include "app/workspace/scale_note.h"
 #include "config/file_references.h"
-#include "evaluation/trial_predictor.h"
-#include "fitting/disturbance.h"
+#include "evaluation/prediction/trial_predictor.h"
+#include "fitting/floor/disturbance.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
-#include "foundation/problem.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/problem.h"
 #include "report/figures/learning_curves.h"
 
 #include <CLI/CLI.hpp>

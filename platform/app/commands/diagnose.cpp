@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/diagnosis_work.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,7 +5,7 @@
 #include "app/workspace/exported_robot.h"
 #include "app/workspace/exported_rows.h"
 #include "command_line/whole_number.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

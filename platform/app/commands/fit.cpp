@@ -4,8 +4,8 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/workbench.h"
-#include "foundation/counted.h"
-#include "foundation/interrupt.h"
+#include "foundation/text/counted.h"
+#include "foundation/processes/interrupt.h"
 #include "report/json/comparison_json.h"
 #include "report/text/comparison_text.h"
 

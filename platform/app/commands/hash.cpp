@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
-#include "foundation/plain_text.h"
-#include "foundation/problem.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/problem.h"
 #include "storage/eea/eea_store.h"
 #include "storage/files/log_left.h"
 

@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/output.h"
 #include "command_line/manual_page.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

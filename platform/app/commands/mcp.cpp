@@ -4,8 +4,8 @@
 #include "app/terminal/plain_streams.h"
 #include "app/terminal/scratch_folder.h"
 #include "app/terminal/time_limit.h"
-#include "foundation/file_sandbox.h"
-#include "foundation/interrupt.h"
+#include "foundation/files/file_sandbox.h"
+#include "foundation/processes/interrupt.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,10 +2,10 @@
 #include "app/tasks/freeze_plan.h"
 #include "app/terminal/options.h"
 #include "command_line/whole_number.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
 #include "tasks/task_folder.h"
 
 #include <CLI/CLI.hpp>

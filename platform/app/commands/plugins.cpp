@@ -4,7 +4,7 @@
 #include "app/workspace/checked_plugin.h"
 #include "app/workspace/component_details.h"
 #include "app/workspace/new_plugin.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "loading/component_kinds.h"
 #include "loading/plugin_catalog.h"
 

@@ -4,7 +4,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/scratch_folder.h"
 #include "command_line/whole_number.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "storage/files/log_left.h"
 

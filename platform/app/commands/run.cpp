@@ -3,7 +3,7 @@
 #include "app/tasks/submit_run.h"
 #include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,8 +3,8 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"
-#include "foundation/counted.h"
-#include "foundation/problem.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/problem.h"
 #include "storage/files/log_left.h"
 
 #include <CLI/CLI.hpp>

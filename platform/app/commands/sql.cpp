@@ -3,7 +3,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/plain_streams.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 #include "storage/files/log_left.h"
 #include "storage/queries/query.h"
 #include "storage/queries/query_output.h"

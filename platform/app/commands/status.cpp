@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/shell_word.h"
 #include "tasks/slurm_jobs.h"
 #include "tasks/task_folder.h"
 

@@ -2,9 +2,9 @@
 #include "app/runs/run_faults.h"
 #include "app/terminal/options.h"
 #include "app/terminal/progress_line.h"
-#include "foundation/counted.h"
-#include "foundation/interrupt.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/counted.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/plain_text.h"
 #include "storage/files/log_left.h"
 #include "storage/queries/verification.h"
 

@@ -3,9 +3,9 @@
 #include "app/runs/worker_setup.h"
 #include "app/terminal/child_watch.h"
 #include "app/terminal/supervised.h"
-#include "foundation/memory_limit.h"
-#include "foundation/plugin_call.h"
-#include "foundation/process_limits.h"
+#include "foundation/processes/memory_limit.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/processes/process_limits.h"
 #include "isolation/serve_evaluations.h"
 
 #include <fcntl.h>

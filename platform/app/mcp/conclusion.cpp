@@ -1,7 +1,7 @@
 #include "app/mcp/conclusion.h"
 
 #include "app/mcp/shortened.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

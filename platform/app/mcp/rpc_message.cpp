@@ -1,6 +1,6 @@
 #include "app/mcp/rpc_message.h"
 
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "app/mcp/server.h"
 
 #include "app/mcp/tool_words.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 

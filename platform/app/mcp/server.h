@@ -2,7 +2,7 @@
 
 #include "app/mcp/rpc_message.h"
 #include "app/mcp/tool_call.h"
-#include "foundation/allowed_files.h"
+#include "foundation/files/allowed_files.h"
 
 #include <deque>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "app/mcp/tool_call.h"
 
-#include "foundation/allowed_files.h"
-#include "foundation/json_depth.h"
-#include "foundation/plain_text.h"
+#include "foundation/files/allowed_files.h"
+#include "foundation/text/json_depth.h"
+#include "foundation/text/plain_text.h"
 
 #include <fmt/format.h>
 

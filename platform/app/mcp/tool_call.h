@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/mcp/conclusion.h"
-#include "foundation/child_program.h"
+#include "foundation/processes/child_program.h"
 
 #include <chrono>
 #include <filesystem>

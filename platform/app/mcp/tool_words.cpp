@@ -1,6 +1,6 @@
 #include "app/mcp/tool_words.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 

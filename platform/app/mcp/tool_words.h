@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/mcp/tool.h"
-#include "foundation/allowed_files.h"
+#include "foundation/files/allowed_files.h"
 
 #include <nlohmann/json.hpp>
 

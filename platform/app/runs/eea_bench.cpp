@@ -1,11 +1,11 @@
 #include "app/runs/eea_bench.h"
 
 #include "app/workspace/integration.h"
-#include "eea/recorded_trials.h"
-#include "evaluation/complaints.h"
-#include "evaluation/hidden_truth.h"
+#include "eea/trials/recorded_trials.h"
+#include "evaluation/model/complaints.h"
+#include "evaluation/model/hidden_truth.h"
 #include "foundation/address.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <lacuna/random_stream.h>
 

@@ -1,8 +1,8 @@
 #include "app/runs/replays.h"
 
 #include "app/runs/posed_robot.h"
-#include "evaluation/proposed_model.h"
-#include "foundation/interrupt.h"
+#include "evaluation/model/proposed_model.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/core/canonical_text.h"
 #include "storage/core/without_folders.h"
 

@@ -2,9 +2,9 @@
 
 #include "app/runs/claim_beats.h"
 #include "app/runs/store_journal.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
-#include "foundation/process_limits.h"
+#include "foundation/processes/process_limits.h"
 #include "isolation/remote_evaluations.h"
 #include "storage/core/run_claim.h"
 #include "storage/core/storage_error.h"

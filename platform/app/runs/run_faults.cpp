@@ -1,7 +1,7 @@
 #include "app/runs/run_faults.h"
 
 #include "app/runs/store_journal.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/core/statement.h"
 #include "storage/eea/eea_store.h"
 #include "storage/results/carried_out.h"

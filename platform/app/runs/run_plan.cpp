@@ -4,10 +4,10 @@
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
 #include "config/result_setting.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
 #include "storage/results/result_store.h"
 #include "storage/results/stored_run.h"
 

@@ -1,7 +1,7 @@
 #include "app/runs/run_summary.h"
 
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/runs/run_trials.h"
 
-#include "eea/recorded_trials.h"
+#include "eea/trials/recorded_trials.h"
 #include "storage/core/storage_error.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "eea/eea_definition.h"
+#include "eea/definition/eea_definition.h"
 #include "storage/eea/eea_store.h"
 
 #include <vector>

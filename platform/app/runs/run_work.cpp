@@ -8,10 +8,10 @@
 #include "app/terminal/time_limit.h"
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
-#include "foundation/interrupt.h"
-#include "foundation/plugin_fault.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/plugins/plugin_fault.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
 #include "report/text/run_text.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/runs/run_trials.h"
-#include "eea/eea_definition.h"
-#include "eea/eea_journal.h"
+#include "eea/definition/eea_definition.h"
+#include "eea/definition/eea_journal.h"
 #include "storage/eea/eea_store.h"
 
 #include <chrono>

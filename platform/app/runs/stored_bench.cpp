@@ -2,7 +2,7 @@
 
 #include "app/workspace/run_inputs.h"
 #include "config/overrides.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/shell_word.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "app/runs/stored_ensembles.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>

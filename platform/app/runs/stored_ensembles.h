@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/runs/run_trials.h"
-#include "eea/ensemble_prediction.h"
+#include "eea/ensemble/ensemble_prediction.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "app/runs/stored_model.h"
 
 #include "app/runs/run_trials.h"
-#include "eea/delays.h"
-#include "foundation/problem.h"
+#include "eea/definition/delays.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 

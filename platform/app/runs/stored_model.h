@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eea/eea_definition.h"
-#include "evaluation/model_scorer.h"
+#include "eea/definition/eea_definition.h"
+#include "evaluation/scoring/model_scorer.h"
 #include "storage/eea/eea_store.h"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
-#include "foundation/memory_limit.h"
-#include "foundation/plugin_call.h"
+#include "foundation/processes/memory_limit.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <lacuna/error.h>
 

@@ -6,9 +6,9 @@
 #include "app/terminal/scratch_folder.h"
 #include "app/terminal/supervised.h"
 #include "app/workspace/diagnosis_work.h"
-#include "foundation/interrupt.h"
-#include "foundation/plain_text.h"
-#include "foundation/problem.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/problem.h"
 #include "storage/core/storage_error.h"
 #include "tasks/task_database.h"
 

@@ -8,7 +8,7 @@
 #include "config/experiment_reader.h"
 #include "config/overrides.h"
 #include "foundation/digest.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,10 +4,10 @@
 #include "app/tasks/new_database.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/rig.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
 #include "tasks/slurm_jobs.h"
 
 #include <CLI/CLI.hpp>

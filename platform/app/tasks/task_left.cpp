@@ -1,7 +1,7 @@
 #include "app/tasks/task_left.h"
 
 #include "app/terminal/scratch_folder.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/shell_word.h"
 #include "tasks/task_folder.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <sys/types.h>
 
@@ -38,8 +38,8 @@ void ignore_wishes();
 /// process was told to ignore, as `nohup` does.
 sigset_t awaited_signals();
 
-/// Waits for the end of a child that calls plugins (foundation/plugin_call.h). Passes on signals that ask to end or to
-/// stop, unless the terminal sent them to the child as well. Ends the child when
+/// Waits for the end of a child that calls plugins (foundation/plugins/plugin_call.h). Passes on signals that ask to
+/// end or to stop, unless the terminal sent them to the child as well. Ends the child when
 /// - an evaluation takes longer than `CallPage::evaluation_limit`;
 /// - a call of a plugin outside of evaluations takes as long, 10 s at least: 10 s where it only tells what a component
 ///   is; longer by what it was allowed (`CallAllowance`);

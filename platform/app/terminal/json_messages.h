@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fitting/progress.h"
-#include "foundation/problem.h"
+#include "fitting/numerics/progress.h"
+#include "foundation/text/problem.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "app/terminal/left_running.h"
 
 #include "app/terminal/supervised.h"
-#include "foundation/processes.h"
+#include "foundation/processes/processes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,10 +2,10 @@
 
 #include "app/terminal/options.h"
 #include "config/experiment_reader.h"
-#include "foundation/allowed_files.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
-#include "foundation/special_file.h"
+#include "foundation/files/allowed_files.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
+#include "foundation/files/special_file.h"
 #include "storage/core/database.h"
 #include "storage/core/statement.h"
 

@@ -4,10 +4,10 @@
 #include "app/terminal/output.h"
 #include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
-#include "foundation/allowed_files.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/allowed_files.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
+#include "foundation/files/whole_file.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #include "app/terminal/output.h"
 
 #include "app/terminal/plain_streams.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 
 #include <filesystem>
 #include <optional>

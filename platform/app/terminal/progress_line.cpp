@@ -2,7 +2,7 @@
 
 #include "app/terminal/json_messages.h"
 #include "app/terminal/plain_streams.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/plain_text.h"
 
 #include <fmt/format.h>
 

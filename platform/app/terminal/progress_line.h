@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/progress.h"
+#include "fitting/numerics/progress.h"
 
 #include <chrono>
 #include <string>

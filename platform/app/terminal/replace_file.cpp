@@ -2,7 +2,7 @@
 
 #include <lacuna/error.h>
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "app/terminal/scratch_folder.h"
 
-#include "foundation/this_machine.h"
+#include "foundation/processes/this_machine.h"
 
 #include <lacuna/error.h>
 

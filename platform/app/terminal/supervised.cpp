@@ -2,12 +2,12 @@
 
 #include "app/terminal/child_watch.h"
 #include "app/terminal/left_running.h"
-#include "foundation/child_program.h"
-#include "foundation/memory_limit.h"
-#include "foundation/plugin_call.h"
-#include "foundation/plugin_libraries.h"
-#include "foundation/process_limits.h"
-#include "foundation/processes.h"
+#include "foundation/processes/child_program.h"
+#include "foundation/processes/memory_limit.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/plugins/plugin_libraries.h"
+#include "foundation/processes/process_limits.h"
+#include "foundation/processes/processes.h"
 
 #include <lacuna/error.h>
 

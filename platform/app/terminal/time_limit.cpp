@@ -1,10 +1,10 @@
 #include "app/terminal/time_limit.h"
 
-#include "config/quantity.h"
-#include "foundation/interrupt.h"
-#include "foundation/plugin_call.h"
-#include "foundation/problem.h"
-#include "foundation/shell_word.h"
+#include "config/toml/quantity.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/text/problem.h"
+#include "foundation/text/shell_word.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

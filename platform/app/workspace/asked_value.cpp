@@ -2,7 +2,7 @@
 
 #include "app/terminal/short_number.h"
 #include "candidates/wrong_value.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 

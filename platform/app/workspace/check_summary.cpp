@@ -1,8 +1,8 @@
 #include "app/workspace/check_summary.h"
 
 #include "app/workspace/channel_extent.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>

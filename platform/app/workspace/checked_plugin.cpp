@@ -3,9 +3,9 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/scratch_folder.h"
-#include "foundation/child_program.h"
-#include "foundation/counted.h"
-#include "foundation/problem.h"
+#include "foundation/processes/child_program.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/problem.h"
 #include "plugin_checks/plugin_check.h"
 
 #include <CLI/CLI.hpp>

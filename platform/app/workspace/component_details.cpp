@@ -2,7 +2,7 @@
 
 #include "foundation/address.h"
 #include "foundation/placement_unit.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "loading/component_kinds.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "app/workspace/controller_draft.h"
 
 #include "app/workspace/draft_text.h"
-#include "config/toml_node.h"
-#include "foundation/plain_text.h"
+#include "config/toml/toml_node.h"
+#include "foundation/text/plain_text.h"
 #include "foundation/unit.h"
 
 #include <Eigen/Dense>

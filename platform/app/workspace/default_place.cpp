@@ -1,9 +1,9 @@
 #include "app/workspace/default_place.h"
 
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "foundation/address.h"
-#include "foundation/guarded_call.h"
-#include "foundation/problem.h"
+#include "foundation/processes/guarded_call.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

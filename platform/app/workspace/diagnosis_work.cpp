@@ -8,9 +8,9 @@
 #include "answer/find_missing_effects.h"
 #include "candidates/among.h"
 #include "documents/diagnosis_json.h"
-#include "foundation/counted.h"
-#include "foundation/interrupt.h"
-#include "foundation/plugin_call.h"
+#include "foundation/text/counted.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/plugins/plugin_call.h"
 #include "report/figures/diagnosis_pictures.h"
 #include "report/text/diagnosis_text.h"
 

@@ -1,8 +1,8 @@
 #include "app/workspace/draft_questions.h"
 
-#include "config/quantity.h"
-#include "config/toml_node.h"
-#include "foundation/plain_text.h"
+#include "config/toml/quantity.h"
+#include "config/toml/toml_node.h"
+#include "foundation/text/plain_text.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>

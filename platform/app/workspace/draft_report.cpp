@@ -1,10 +1,10 @@
 #include "app/workspace/draft_report.h"
 
 #include "app/workspace/controller_draft.h"
-#include "config/blank.h"
+#include "config/schema/blank.h"
 #include "foundation/address.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
 #include "report/text/text_table.h"
 
 #include <fmt/format.h>

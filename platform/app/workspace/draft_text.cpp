@@ -1,8 +1,8 @@
 #include "app/workspace/draft_text.h"
 
-#include "config/blank.h"
-#include "config/toml_node.h"
-#include "foundation/plain_text.h"
+#include "config/schema/blank.h"
+#include "config/toml/toml_node.h"
+#include "foundation/text/plain_text.h"
 
 #include <fmt/format.h>
 

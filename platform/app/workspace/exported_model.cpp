@@ -1,8 +1,8 @@
 #include "app/workspace/exported_model.h"
 
-#include "config/effects_editor.h"
-#include "config/toml_node.h"
-#include "evaluation/model_definition.h"
+#include "config/edits/effects_editor.h"
+#include "config/toml/toml_node.h"
+#include "evaluation/model/model_definition.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/workspace/workbench.h"
-#include "evaluation/identified_robot.h"
-#include "evaluation/robot_export.h"
+#include "evaluation/model/identified_robot.h"
+#include "evaluation/robots/robot_export.h"
 
 #include <filesystem>
 #include <string>

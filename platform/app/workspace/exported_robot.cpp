@@ -2,7 +2,7 @@
 
 #include "app/terminal/output.h"
 #include "app/workspace/exported_model.h"
-#include "foundation/plain_text.h"
+#include "foundation/text/plain_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

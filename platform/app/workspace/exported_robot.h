@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/terminal/options.h"
-#include "foundation/whole_file.h"
+#include "foundation/files/whole_file.h"
 
 #include <filesystem>
 #include <optional>

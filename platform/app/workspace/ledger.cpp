@@ -3,7 +3,7 @@
 #include "app/workspace/records.h"
 #include "app/workspace/used_plugins.h"
 #include "documents/kept_fits_json.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/core/storage_error.h"
 
 #include <fmt/format.h>

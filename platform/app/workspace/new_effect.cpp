@@ -4,7 +4,7 @@
 #include "app/workspace/plugin_folder.h"
 #include "formula/effect_source.h"
 #include "foundation/placement_unit.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

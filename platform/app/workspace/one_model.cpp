@@ -1,9 +1,9 @@
 #include "app/workspace/one_model.h"
 
-#include "evaluation/step_count.h"
-#include "evaluation/target_simulator.h"
-#include "evaluation/test_predictor.h"
-#include "evaluation/test_space.h"
+#include "evaluation/prediction/step_count.h"
+#include "evaluation/prediction/target_simulator.h"
+#include "evaluation/prediction/test_predictor.h"
+#include "evaluation/prediction/test_space.h"
 
 #include <lacuna/error.h>
 

@@ -1,7 +1,7 @@
 #include "app/workspace/outside_target.h"
 
-#include "evaluation/test_space.h"
-#include "fitting/start_states.h"
+#include "evaluation/prediction/test_space.h"
+#include "fitting/starts/start_states.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/terminal/output.h"
 #include "formula/effect_source.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/shell_word.h"
 #include "loading/plugin_catalog.h"
 
 #include <fmt/format.h>

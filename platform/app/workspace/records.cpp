@@ -1,7 +1,7 @@
 #include "app/workspace/records.h"
 
 #include "documents/diagnosis_json.h"
-#include "evaluation/possible_values.h"
+#include "evaluation/model/possible_values.h"
 #include "foundation/effect_at_place.h"
 #include "storage/core/canonical_text.h"
 

@@ -3,8 +3,8 @@
 #include <lacuna/trial.h>
 
 #include "app/terminal/options.h"
-#include "config/experiment.h"
-#include "evaluation/model_definition.h"
+#include "config/schema/experiment.h"
+#include "evaluation/model/model_definition.h"
 #include "loading/plugin_catalog.h"
 #include "measurement/recording.h"
 #include "simulation/compiled_model.h"

@@ -3,11 +3,11 @@
 #include "app/workspace/controller_draft.h"
 #include "app/workspace/draft_text.h"
 #include "app/workspace/target_draft.h"
-#include "config/toml_node.h"
-#include "fitting/restarts.h"
-#include "foundation/counted.h"
-#include "foundation/plain_text.h"
-#include "foundation/shell_word.h"
+#include "config/toml/toml_node.h"
+#include "fitting/starts/restarts.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/text/shell_word.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "config/blank.h"
-#include "measurement/file_sample.h"
+#include "config/schema/blank.h"
+#include "measurement/guesses/file_sample.h"
 #include "measurement/recording.h"
 #include "measurement/rig_guess.h"
 

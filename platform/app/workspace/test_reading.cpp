@@ -1,9 +1,9 @@
 #include "app/workspace/test_reading.h"
 
-#include "config/quantity.h"
+#include "config/toml/quantity.h"
 #include "experiment_design/test_line.h"
-#include "foundation/guarded_call.h"
-#include "foundation/problem.h"
+#include "foundation/processes/guarded_call.h"
+#include "foundation/text/problem.h"
 #include "measurement/command_file.h"
 
 #include <CLI/CLI.hpp>

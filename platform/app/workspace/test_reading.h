@@ -3,7 +3,7 @@
 #include <lacuna/test.h>
 #include <lacuna/test_encoding.h>
 
-#include "evaluation/known_setups.h"
+#include "evaluation/model/known_setups.h"
 #include "loading/plugin_catalog.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "app/workspace/trial_target.h"
 
 #include "app/workspace/outside_target.h"
-#include "evaluation/hidden_truth.h"
+#include "evaluation/model/hidden_truth.h"
 #include "foundation/digest.h"
 #include "storage/core/canonical_text.h"
 

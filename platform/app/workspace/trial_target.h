@@ -1,8 +1,8 @@
 #pragma once
 
-#include "config/experiment.h"
-#include "evaluation/target_simulator.h"
-#include "foundation/guarded_call.h"
+#include "config/schema/experiment.h"
+#include "evaluation/prediction/target_simulator.h"
+#include "foundation/processes/guarded_call.h"
 #include "loading/plugin_catalog.h"
 
 #include <cstdint>

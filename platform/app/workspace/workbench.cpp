@@ -3,7 +3,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/workspace/integration.h"
 #include "data_checks/data_doubts.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <fmt/format.h>

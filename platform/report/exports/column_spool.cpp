@@ -1,6 +1,6 @@
 #include "report/exports/column_spool.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/queries/query_output.h"
 
 #include <lacuna/error.h>

@@ -1,6 +1,6 @@
 #include "report/exports/mcap_trace.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "report/exports/mcap_writer.h"
 #include "report/exports/trace_rows.h"
 

@@ -1,6 +1,6 @@
 #include "report/exports/npy_column.h"
 
-#include "foundation/code_points.h"
+#include "foundation/text/code_points.h"
 #include "report/exports/little_endian.h"
 #include "storage/queries/query_output.h"
 

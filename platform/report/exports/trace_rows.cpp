@@ -1,6 +1,6 @@
 #include "report/exports/trace_rows.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "report/figures/comparison_pictures.h"
 
-#include "foundation/csv_cell.h"
-#include "foundation/whole_file.h"
+#include "foundation/text/csv_cell.h"
+#include "foundation/files/whole_file.h"
 #include "report/figures/figure.h"
 #include "report/text/times_floor_text.h"
 

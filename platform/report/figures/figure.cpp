@@ -1,9 +1,9 @@
 #include "report/figures/figure.h"
 
-#include "foundation/child_program.h"
-#include "foundation/interrupt.h"
-#include "foundation/plain_text.h"
-#include "foundation/whole_file.h"
+#include "foundation/processes/child_program.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/files/whole_file.h"
 #include "report/figures/figure_script.h"
 #include "report/figures/figure_series.h"
 

@@ -1,6 +1,6 @@
 #include "report/figures/figure_series.h"
 
-#include "foundation/plain_text.h"
+#include "foundation/text/plain_text.h"
 #include "report/figures/thinning.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "report/figures/prediction_picture.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "report/figures/thinning.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "report/figures/robot_drawing.h"
 
-#include "foundation/plain_text.h"
-#include "foundation/whole_file.h"
+#include "foundation/text/plain_text.h"
+#include "foundation/files/whole_file.h"
 #include "report/figures/robot_sketch.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "report/json/comparison_json.h"
 
 #include "documents/setup_json.h"
-#include "foundation/csv_cell.h"
+#include "foundation/text/csv_cell.h"
 #include "report/json/where_json.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "report/json/prediction_data.h"
 
 #include "documents/setup_json.h"
-#include "foundation/csv_cell.h"
+#include "foundation/text/csv_cell.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

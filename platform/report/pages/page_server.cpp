@@ -1,6 +1,6 @@
 #include "report/pages/page_server.h"
 
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 #include "report/pages/page_access.h"
 #include "report/pages/page_answers.h"
 #include "report/pages/page_json.h"

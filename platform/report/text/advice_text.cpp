@@ -1,6 +1,6 @@
 #include "report/text/advice_text.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "report/text/times_floor_text.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "report/text/change_text.h"
 
-#include "foundation/figure_text.h"
+#include "foundation/text/figure_text.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
 #include "report/text/error_text.h"

@@ -1,7 +1,7 @@
 #include "report/text/comparison_text.h"
 
 #include "data_checks/data_doubts.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
 #include "report/text/horizon_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data_checks/doubt.h"
-#include "evaluation/known_setups.h"
+#include "evaluation/model/known_setups.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 

@@ -1,8 +1,8 @@
 #include "report/text/diagnosis_text.h"
 
-#include "foundation/counted.h"
-#include "foundation/figure_text.h"
-#include "foundation/shell_word.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/figure_text.h"
+#include "foundation/text/shell_word.h"
 #include "foundation/unit.h"
 #include "report/text/interval_text.h"
 #include "report/text/text_table.h"

@@ -1,7 +1,7 @@
 #include "report/text/history_text.h"
 
-#include "foundation/counted.h"
-#include "foundation/figure_text.h"
+#include "foundation/text/counted.h"
+#include "foundation/text/figure_text.h"
 #include "foundation/unit.h"
 #include "report/text/history_rows.h"
 #include "report/text/horizon_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/known_setups.h"
+#include "evaluation/model/known_setups.h"
 #include "storage/core/records.h"
 
 #include <string>

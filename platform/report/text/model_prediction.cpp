@@ -1,6 +1,6 @@
 #include "report/text/model_prediction.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "foundation/unit.h"
 #include "report/text/text_table.h"
 

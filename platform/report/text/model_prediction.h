@@ -2,7 +2,7 @@
 
 #include <lacuna/time_series.h>
 
-#include "evaluation/known_setups.h"
+#include "evaluation/model/known_setups.h"
 
 #include <optional>
 #include <string>

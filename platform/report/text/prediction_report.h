@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eea/ensemble_prediction.h"
-#include "evaluation/known_setups.h"
+#include "eea/ensemble/ensemble_prediction.h"
+#include "evaluation/model/known_setups.h"
 
 #include <cstdint>
 #include <optional>

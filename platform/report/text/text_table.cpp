@@ -1,6 +1,6 @@
 #include "report/text/text_table.h"
 
-#include "foundation/plain_text.h"
+#include "foundation/text/plain_text.h"
 
 #include <algorithm>
 #include <cmath>

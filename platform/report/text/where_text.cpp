@@ -1,6 +1,6 @@
 #include "report/text/where_text.h"
 
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "simulation/ode/mechanism.h"
 
-#include "foundation/number_text.h"
+#include "foundation/text/number_text.h"
 #include "simulation/ode/session.h"
 
 #include <algorithm>

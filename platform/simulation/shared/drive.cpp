@@ -1,6 +1,6 @@
 #include "simulation/shared/drive.h"
 
-#include "foundation/number_text.h"
+#include "foundation/text/number_text.h"
 
 #include <lacuna/error.h>
 

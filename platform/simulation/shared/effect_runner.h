@@ -1,7 +1,7 @@
 #pragma once
 
-#include "foundation/plugin_call.h"
-#include "foundation/process_watch.h"
+#include "foundation/plugins/plugin_call.h"
+#include "foundation/processes/process_watch.h"
 #include "simulation/shared/effect_schedule.h"
 #include "simulation/shared/model_instance.h"
 #include "simulation/shared/state_archive.h"

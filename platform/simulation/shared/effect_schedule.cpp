@@ -1,6 +1,6 @@
 #include "simulation/shared/effect_schedule.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,8 @@
 #include "simulation/shared/engine_model.h"
 
 #include "foundation/address.h"
-#include "foundation/number_text.h"
-#include "foundation/plugin_call.h"
+#include "foundation/text/number_text.h"
+#include "foundation/plugins/plugin_call.h"
 #include "simulation/shared/effect_runner.h"
 #include "simulation/shared/engine_workspace.h"
 #include "simulation/shared/robot_checks.h"

@@ -1,6 +1,6 @@
 #include "simulation/shared/joint_tree.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "simulation/shared/sensor_bank.h"
 
 namespace lacuna::simulation {

@@ -1,6 +1,6 @@
 #include "simulation/shared/recorded_commands.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "simulation/shared/joint_tree.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "foundation/address.h"
 #include "foundation/link_angle.h"
-#include "foundation/number_text.h"
-#include "foundation/problem.h"
+#include "foundation/text/number_text.h"
+#include "foundation/text/problem.h"
 #include "simulation/shared/joint_tree.h"
 #include "simulation/shared/sensor_bank.h"
 

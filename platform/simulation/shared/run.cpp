@@ -1,9 +1,9 @@
 #include "simulation/shared/run.h"
 
 #include "foundation/address.h"
-#include "foundation/interrupt.h"
-#include "foundation/number_text.h"
-#include "foundation/process_limits.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/number_text.h"
+#include "foundation/processes/process_limits.h"
 #include "simulation/shared/sensor_imperfections.h"
 
 #include <lacuna/error.h>

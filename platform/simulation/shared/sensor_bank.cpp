@@ -1,7 +1,7 @@
 #include "simulation/shared/sensor_bank.h"
 
 #include "foundation/address.h"
-#include "foundation/number_text.h"
+#include "foundation/text/number_text.h"
 #include "simulation/shared/joint_tree.h"
 
 #include <lacuna/error.h>

@@ -1,7 +1,7 @@
 #include "storage/core/database.h"
 
-#include "foundation/allowed_files.h"
-#include "foundation/problem.h"
+#include "foundation/files/allowed_files.h"
+#include "foundation/text/problem.h"
 #include "storage/core/migrate.h"
 #include "storage/core/statement.h"
 #include "storage/core/storage_error.h"

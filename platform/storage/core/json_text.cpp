@@ -1,6 +1,6 @@
 #include "storage/core/json_text.h"
 
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 #include "storage/core/records.h"
 
 #include <lacuna/error.h>

@@ -1,7 +1,7 @@
 #include "storage/core/migrate.h"
 
 #include "foundation/digest.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/core/statement.h"
 #include "storage/core/storage_error.h"
 #include "storage/files/connection.h"

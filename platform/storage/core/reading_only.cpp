@@ -1,6 +1,6 @@
 #include "storage/core/reading_only.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/core/bounded_functions.h"
 
 #include <sqlite3.h>

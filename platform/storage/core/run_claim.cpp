@@ -1,6 +1,6 @@
 #include "storage/core/run_claim.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/core/statement.h"
 
 #include <lacuna/error.h>

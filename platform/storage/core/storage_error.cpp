@@ -1,8 +1,8 @@
 #include "storage/core/storage_error.h"
 
-#include "foundation/interrupt.h"
-#include "foundation/problem.h"
-#include "foundation/process_limits.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/problem.h"
+#include "foundation/processes/process_limits.h"
 
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>

@@ -1,6 +1,6 @@
 #include "storage/core/names.h"
 #include "storage/core/number_blob.h"
-#include "storage/core/row_key.h"
+#include "storage/integrity/row_key.h"
 #include "storage/core/storage_error.h"
 #include "storage/eea/eea_names.h"
 #include "storage/eea/eea_run_record.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "storage/core/row_key.h"
+#include "storage/integrity/row_key.h"
 #include "storage/core/statement.h"
 #include "storage/eea/eea_records.h"
 

@@ -1,7 +1,7 @@
 #include "storage/eea/failed_trials.h"
 
 #include "storage/core/clock.h"
-#include "storage/core/row_key.h"
+#include "storage/integrity/row_key.h"
 #include "storage/core/statement.h"
 
 namespace lacuna {

@@ -1,6 +1,6 @@
 #include "storage/files/connection.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/files/callback.h"
 
 #include <SQLiteCpp/Database.h>

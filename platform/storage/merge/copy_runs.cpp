@@ -1,8 +1,8 @@
 #include "storage/merge/copy_runs.h"
 
-#include "foundation/interrupt.h"
-#include "storage/core/run_rows.h"
-#include "storage/core/seal.h"
+#include "foundation/processes/interrupt.h"
+#include "storage/integrity/run_rows.h"
+#include "storage/integrity/seal.h"
 #include "storage/core/statement.h"
 
 #include <lacuna/error.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/core/database.h"
 #include "storage/core/records.h"
 

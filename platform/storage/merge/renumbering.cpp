@@ -1,6 +1,6 @@
 #include "storage/merge/renumbering.h"
 
-#include "storage/core/row_key.h"
+#include "storage/integrity/row_key.h"
 #include "storage/core/statement.h"
 #include "storage/eea/eea_names.h"
 

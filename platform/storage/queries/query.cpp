@@ -1,7 +1,7 @@
 #include "storage/queries/query.h"
 
-#include "foundation/interrupt.h"
-#include "foundation/problem.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/problem.h"
 #include "storage/core/reading_only.h"
 #include "storage/core/storage_error.h"
 #include "storage/files/callback.h"

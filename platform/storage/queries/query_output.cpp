@@ -1,7 +1,7 @@
 #include "storage/queries/query_output.h"
 
-#include "foundation/csv_cell.h"
-#include "foundation/problem.h"
+#include "foundation/text/csv_cell.h"
+#include "foundation/text/problem.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "storage/queries/verification.h"
 
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "storage/core/one_state.h"
 #include "storage/core/schema_check.h"
 #include "storage/core/statement.h"

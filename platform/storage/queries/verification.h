@@ -1,6 +1,6 @@
 #pragma once
 
-#include "storage/core/seal.h"
+#include "storage/integrity/seal.h"
 
 #include <functional>
 #include <string>

@@ -4,8 +4,8 @@
 #include "storage/core/clock.h"
 #include "storage/core/json_text.h"
 #include "storage/core/names.h"
-#include "storage/core/row_key.h"
-#include "storage/core/seal.h"
+#include "storage/integrity/row_key.h"
+#include "storage/integrity/seal.h"
 #include "storage/core/statement.h"
 #include "storage/results/stored_run.h"
 

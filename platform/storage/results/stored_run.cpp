@@ -1,7 +1,7 @@
 #include "storage/results/stored_run.h"
 
 #include "foundation/digest.h"
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/core/clock.h"
 #include "storage/core/json_text.h"
 #include "storage/core/statement.h"

@@ -1,6 +1,6 @@
 #include "storage/traces/named_trace.h"
 
-#include "foundation/problem.h"
+#include "foundation/text/problem.h"
 #include "storage/core/statement.h"
 #include "storage/traces/read_trace.h"
 #include "storage/traces/write_trial.h"

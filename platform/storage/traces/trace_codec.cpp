@@ -3,7 +3,7 @@
 #include <lacuna/error.h>
 
 #include "foundation/digest.h"
-#include "foundation/json_depth.h"
+#include "foundation/text/json_depth.h"
 
 #include <nlohmann/json.hpp>
 

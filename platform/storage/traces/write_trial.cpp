@@ -1,7 +1,7 @@
 #include "storage/traces/write_trial.h"
 
 #include "storage/core/names.h"
-#include "storage/core/row_key.h"
+#include "storage/integrity/row_key.h"
 #include "storage/traces/trace_codec.h"
 
 namespace lacuna {

@@ -2,7 +2,7 @@
 
 #include "config/experiment_reader.h"
 #include "contacts/contact_rig.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 #include "measurement/recording.h"
 #include "plugins/built_catalog.h"
 #include "support/test_folder.h"

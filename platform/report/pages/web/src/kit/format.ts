@@ -67,13 +67,13 @@ export function quantity(value: number | null | undefined, unit: string, digits 
 
 export const plain = (value: number | null | undefined, digits = 3) => quantity(value, '1', digits);
 
-/** Two digits, rounded down, and at most 0.99 (foundation/figure_text.cpp). */
+/** Two digits, rounded down, and at most 0.99 (foundation/text/figure_text.cpp). */
 export function probabilityText(value: number): string {
   const shown = Math.min(0.99, Math.floor(100 * value + 1e-9) / 100);
   return shown < 0.01 ? '< 0.01' : shown.toFixed(2);
 }
 
-/** By how much an error differs from an earlier one, "−87 %" (foundation/figure_text.cpp). */
+/** By how much an error differs from an earlier one, "−87 %" (foundation/text/figure_text.cpp). */
 export function errorChange(now: number | null | undefined, then: number | null | undefined): string {
   if (!Number.isFinite(now) || !Number.isFinite(then) || !(then! > 0)) return '–';
   const ratio = Math.max(now! / then!, 1e-4);

@@ -1,0 +1,45 @@
+#include "config/toml/path_variables.h"
+
+#include "foundation/files/special_file.h"
+
+#include <lacuna/error.h>
+
+#include <cstdlib>
+#include <system_error>
+
+namespace lacuna {
+
+namespace {
+
+std::string value_of(const std::string& name, const std::string& written) {
+  const char* value = std::getenv(name.c_str());
+  if (value != nullptr) return value;
+  throw Error("the environment variable " + name + " is not set; set it to the folder meant in \"" + written + "\"");
+}
+
+}  // namespace
+
+std::string replace_variables(const std::string& written) {
+  std::string text;
+  std::size_t at = 0;
+  for (std::size_t open = written.find("${"); open != std::string::npos; open = written.find("${", at)) {
+    const std::size_t close = written.find('}', open);
+    if (close == std::string::npos) throw Error("\"" + written + "\": the \"${\" has no closing brace");
+    text += written.substr(at, open - at);
+    text += value_of(written.substr(open + 2, close - open - 2), written);
+    at = close + 1;
+  }
+  return text + written.substr(at);
+}
+
+std::filesystem::path resolve_existing_file(const std::string& written, const std::filesystem::path& directory) {
+  std::filesystem::path path = replace_variables(written);
+  if (path.is_relative()) path = directory / path;
+  path = path.lexically_normal();
+  std::error_code failure;
+  if (!std::filesystem::exists(std::filesystem::status(path, failure))) throw Error("no such file: " + path.string());
+  if (const std::string why = why_no_regular_file(path); !why.empty()) throw Error(path.string() + " " + why);
+  return path;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "eea/ensemble/band_support.h"
+#include "eea/definition/eea_definition.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// The models that a pass hands on, best first, which differ and explain the same trials.
+struct PassEnsemble {
+  int pass = 0;
+  std::vector<std::uint64_t> numbers;  ///< of the models within their run
+  std::vector<ModelProposal> models;
+  std::size_t copies = 0;     ///< of these, which were left out: two alike are no two witnesses
+  std::size_t refuted = 0;    ///< left out because they explain those trials much worse than the best
+  std::vector<double> noise;  ///< standard deviation of a reading, one a channel; not finite where it is not known
+};
+
+/// Adds a model unless it is a copy of one that is there, as far as a simulation can tell.
+void add_unless_copy(PassEnsemble& ensemble, std::uint64_t number, ModelProposal model, const Phenotypes& phenotypes);
+
+/// A model that cannot carry a test out.
+struct LostModel {
+  std::uint64_t number = 0;
+  std::string reason;
+};
+
+/// What an ensemble says of a test.
+struct EnsemblePrediction {
+  Eigen::VectorXd times;          ///< s
+  std::vector<Channel> channels;  ///< of the model's sensors
+  EnsembleBand band;              ///< of no size where all models are lost
+  std::size_t models = 0;         ///< that carried the test out
+  std::vector<LostModel> lost;
+};
+
+/// When a trial was measured, s.
+std::vector<double> sampled_at(const ScoredTrial& scored);
+
+/// A trial's test with the start that the trial states.
+Test as_carried_out(const ScoredTrial& observed);
+
+/// `times`: when sensors are read, s; the test begins at `start`. Each model is driven by the test's controller, which
+/// answers to that model, or by its commands. The result does not depend on `threads`.
+EnsemblePrediction predict_test(const EeaDefinition& definition, const PassEnsemble& ensemble, const Test& test,
+                                const std::vector<double>& times, int threads, double start = 0.0);
+
+/// The noise of a reading, one a channel of the model's (`ReadingNoise`): what the trials that an ensemble was fitted
+/// to declare, or else what the best model leaves of them. Counts the steps taken onto `steps`.
+std::vector<double> noise_of_readings(const EeaDefinition& definition, const ModelProposal& best,
+                                      const std::vector<ScoredTrial>& fitted, std::uint64_t& steps);
+
+/// A trial that the ensemble was not fitted to, whole; without a ratio where no model can carry it out.
+HeldOutTrial held_against(const EeaDefinition& definition, const PassEnsemble& ensemble, int number,
+                          const ScoredTrial& observed);
+
+}  // namespace lacuna

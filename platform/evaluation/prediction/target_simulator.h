@@ -1,0 +1,39 @@
+#pragma once
+
+#include <lacuna/target_system.h>
+
+#include "evaluation/model/model_definition.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace lacuna {
+
+/// How long a test lasts and when its sensors are read: 0, p, 2p ... up to the duration, p being the control period.
+std::vector<double> sample_times(const EngineSettings& engine, double duration);
+
+/// Carries tests out on a robot with the hidden truth, with noise and quantisation. One thread at a time.
+class TargetSimulator : public Simulator {
+ public:
+  /// `hidden`: one value a `definition.free`. Trials are as reproducible as `noise_seed` and their numbers.
+  TargetSimulator(const ModelDefinition& definition, std::vector<double> hidden, std::uint64_t noise_seed);
+  ~TargetSimulator() override;
+
+  /// The next trial is the `number`th, which keys its noise.
+  void begin_trial(std::uint64_t number) { number_ = number; }
+  /// Throws `Error` where the target cannot carry the test out.
+  Trial simulate(const Test& test) const override;
+
+ private:
+  struct Desk;
+  std::unique_ptr<CompiledModel> model_;
+  std::unique_ptr<Desk> desk_;
+  EngineSettings engine_;
+  RobotSpec robot_;
+  std::vector<double> hidden_;
+  std::uint64_t noise_seed_;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <lacuna/test_fitness.h>
+
+#include "evaluation/scoring/candidate_desk.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Says what models would do in tests that nobody has carried out. The compiled model, and the definition where models
+/// may bring a robot of their own or do without effects, must outlive it.
+class TestPredictor {
+ public:
+  /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads. `models`: how many take turns,
+  /// whose own robots stay compiled. `start`: when tests begin, s.
+  TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
+                const ModelDefinition* definition = nullptr, std::size_t models = 1, double start = 0.0);
+  ~TestPredictor();
+
+  int workers() const { return static_cast<int>(desks_.size()); }
+  /// Fills `prediction`, whose memory is reused, and counts the steps taken onto `steps`. False: the model cannot carry
+  /// the test out; `reason` says why.
+  bool predict(const ModelProposal& candidate, const Test& test, int worker, TestPrediction& prediction,
+               std::uint64_t& steps, std::string& reason) const;
+
+ private:
+  struct Desk;
+  std::vector<double> times_;
+  std::vector<std::unique_ptr<Desk>> desks_;
+};
+
+}  // namespace lacuna

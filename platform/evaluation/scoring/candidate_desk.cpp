@@ -1,0 +1,77 @@
+#include "evaluation/scoring/candidate_desk.h"
+
+#include "evaluation/model/proposed_model.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kSetsOfEffects = 32;  // kept compiled: 30 kB each of a quadruped, which takes 0.2 ms to compile
+
+}  // namespace
+
+/// A compiled model with memory to simulate it in.
+struct CandidateDesk::Bench {
+  explicit Bench(const CompiledModel& shared) : model(shared), workspace(model.make_workspace()) {}
+  Bench(const ModelProposal& of, const ModelDefinition& definition)
+      : robot(of.robot),
+        without(of.without),
+        values(kept_values(of, definition)),
+        owned(compile(structure_of(of, definition), definition.engine)),
+        model(*owned),
+        workspace(model.make_workspace()) {}
+
+  bool is_of(const ModelProposal& candidate) const { return robot == candidate.robot && without == candidate.without; }
+
+  std::shared_ptr<const RobotSpec> robot;  // shared with whoever proposed it, so that its address means it alone
+  std::vector<std::size_t> without;
+  std::vector<std::size_t> values;  // of a candidate's, those that the model has
+  std::unique_ptr<CompiledModel> owned;
+  const CompiledModel& model;
+  std::unique_ptr<Workspace> workspace;
+};
+
+CandidateDesk::CandidateDesk(const CompiledModel& shared, const ModelDefinition* definition, std::size_t kept)
+    : definition_(definition), kept_(std::max<std::size_t>(kept, 1)), shared_(std::make_unique<Bench>(shared)) {}
+
+CandidateDesk::~CandidateDesk() = default;
+CandidateDesk::CandidateDesk(CandidateDesk&&) noexcept = default;
+
+void CandidateDesk::take(const ModelProposal& candidate) {
+  if (candidate.robot)
+    taken_ = &bench_of(candidate, own_, kept_);
+  else if (!candidate.without.empty())
+    taken_ = &bench_of(candidate, switched_, kSetsOfEffects);
+  else
+    taken_ = shared_.get();
+  values_ = candidate.values;
+  if (candidate.without.empty()) return;
+  kept_values_.clear();
+  for (const std::size_t value : taken_->values) kept_values_.push_back(candidate.values[value]);
+  values_ = kept_values_;
+}
+
+const CandidateDesk::Bench& CandidateDesk::bench_of(const ModelProposal& candidate, Benches& benches,
+                                                    std::size_t most) {
+  const auto known =
+      std::find_if(benches.begin(), benches.end(), [&](const auto& bench) { return bench->is_of(candidate); });
+  if (known != benches.end()) {
+    std::rotate(known, known + 1, benches.end());
+    return *benches.back();
+  }
+  if (!definition_)
+    throw Error("a robot of its own, or one without some effects, can be simulated by the algorithm's phases only");
+  benches.push_back(std::make_unique<Bench>(candidate, *definition_));
+  if (benches.size() > most) benches.erase(benches.begin());
+  return *benches.back();
+}
+
+void CandidateDesk::simulate(const Test& test, const SimulationOptions& options, SimulationResult& result) {
+  taken_->model.simulate(values_, test, options, *taken_->workspace, result);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,254 @@
+#include "evaluation/scoring/model_scorer.h"
+
+#include "evaluation/model/channel_map.h"
+#include "foundation/plugins/plugin_fault.h"
+
+#include <lacuna/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kWorst = std::numeric_limits<double>::infinity();
+
+std::size_t scored_samples(const ScoredTrial& scored) {
+  return static_cast<std::size_t>(scored.trial.measured.times.size() - scored.first_sample);
+}
+
+ComparisonShape shape_of(std::span<const ScoredTrial> trials) {
+  ComparisonShape shape;
+  for (const ScoredTrial& scored : trials) {
+    ++shape.trials;
+    shape.samples += scored_samples(scored);
+    shape.channels = scored.trial.measured.channels.size();
+  }
+  return shape;
+}
+
+StartState start_of(const Trial& trial) {
+  StartState start;
+  for (const InitialValue& value : trial.initial) {
+    start.positions.push_back(value.position);
+    start.velocities.push_back(value.velocity);
+  }
+  return start;
+}
+
+}  // namespace
+
+/// What one thread works with.
+struct ModelScorer::Desk {
+  CandidateDesk candidate;
+  std::vector<SimulationOptions> options = {};  // per trial
+  SimulationResult result = {};
+  std::unique_ptr<ScoreAccumulator> total = {};
+  std::vector<std::unique_ptr<ScoreAccumulator>> trials = {};
+  std::vector<double> predicted = {};
+  bool reads_finite = true;     // all that the present candidate read
+  TrialReadings readings = {};  // of the trials, where delays are found for a candidate
+  ModelProposal unlagged = {};
+};
+
+/// Compares samples while they are simulated.
+struct ModelScorer::Tally {
+  const ScoredTrial& scored;
+  std::span<const Eigen::Index> map;  // of the trial's channels to the model's
+  const ComponentOrigin& metric;
+  ScoreAccumulator& total;
+  ScoreAccumulator& of_trial;
+  std::vector<double>& predicted;
+  double bar;
+  std::string fault;
+  bool abandoned = false;
+  bool reads_finite = true;  // what the model read, so far
+
+  /// Whether the simulation may end here.
+  bool take(std::size_t sample, std::span<const double> readings) {
+    const auto row = static_cast<Eigen::Index>(sample);
+    if (row < scored.first_sample) return false;
+    for (std::size_t i = 0; i < map.size(); ++i) predicted[i] = readings[static_cast<std::size_t>(map[i])];
+    return add(row, predicted);
+  }
+
+  /// The same of readings that are in the order of what was measured.
+  bool add(Eigen::Index row, std::span<const double> ordered) {
+    const TimeSeries::Samples& measured = scored.trial.measured.samples;
+    for (const double reading : ordered) reads_finite = reads_finite && std::isfinite(reading);
+    const PluginCall call(on_page(metric), "add");
+    try {
+      const std::span<const double> of_row(measured.data() + row * measured.cols(), ordered.size());
+      total.add(ordered, of_row);
+      of_trial.add(ordered, of_row);
+      abandoned = total.bound() > bar;
+      throw_if_arithmetic_changed("add");
+    } catch (...) {
+      fault = describe_current_exception(metric, "add");
+    }
+    return abandoned || !fault.empty();
+  }
+};
+
+ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric,
+                         int workers, const ModelDefinition* definition, const std::vector<std::size_t>& profiled)
+    : trials_(std::move(trials)), metric_(std::move(metric)) {
+  for (const ScoredTrial& scored : trials_) {
+    maps_.push_back(match_channels(scored.trial, model.channels()));
+    if (scored.trial.measured.channels.size() != trials_.front().trial.measured.channels.size())
+      throw Error("trial " + scored.trial.name + " measures other channels than trial " + trials_.front().trial.name +
+                  "; one score needs the same channels in all of them");
+  }
+  if (definition) lags_ = LagProfile(*definition, profiled, trials_);
+  const auto accumulator = [&](std::span<const ScoredTrial> of) {
+    return guarded_call(metric_.origin, "accumulator",
+                        [&] { return metric_->accumulator(shape_of(of), metric_.parameters); });
+  };
+  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+    auto desk = std::make_unique<Desk>(Desk{CandidateDesk(model, definition)});
+    desk->total = accumulator(trials_);
+    for (const ScoredTrial& scored : trials_) {
+      desk->trials.push_back(accumulator({&scored, 1}));
+      SimulationOptions& options = desk->options.emplace_back();
+      const Eigen::VectorXd& times = scored.trial.measured.times;
+      options.start = start_of(scored.trial);
+      options.start_time = times(0);
+      options.end_time = times(times.size() - 1);
+      options.output_times = {times.data(), static_cast<std::size_t>(times.size())};
+    }
+    if (!trials_.empty()) desk->predicted.resize(maps_.front().size());
+    desks_.push_back(std::move(desk));
+  }
+}
+
+ModelScorer::~ModelScorer() = default;
+
+void ModelScorer::score(const ModelProposal& candidate, std::optional<double> bar, int worker,
+                        ModelScore& result) const {
+  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
+  result.trials.clear();
+  result.kind = ScoreKind::full;
+  result.reason.clear();
+  result.steps = 0;
+  result.values.clear();
+  desk.reads_finite = true;
+  guarded_call(metric_.origin, "reset", [&] { desk.total->reset(); });
+  if (lags_.empty())
+    score_trials(candidate, bar.value_or(kWorst), desk, result);
+  else
+    score_with_lags(candidate, bar.value_or(kWorst), desk, result);
+  switch (result.kind) {
+    case ScoreKind::full:
+      result.total = guarded_call(metric_.origin, "score", [&] { return desk.total->score(); });
+      break;
+    case ScoreKind::abandoned:
+      result.total = guarded_call(metric_.origin, "bound", [&] { return desk.total->bound(); });
+      break;
+    case ScoreKind::invalid: result.total = kWorst; break;
+  }
+  if (result.kind == ScoreKind::invalid || std::isfinite(result.total)) return;
+  result.kind = ScoreKind::invalid;
+  result.reason = why_not_finite(desk, result.total);
+  result.total = kWorst;
+}
+
+/// The metric's score, or its bound, of a candidate all of whose simulations came to their end.
+std::string ModelScorer::why_not_finite(const Desk& desk, double score) const {
+  if (!desk.reads_finite) return "the model reads values that are not finite";
+  const bool measured = std::any_of(trials_.begin(), trials_.end(), [](const ScoredTrial& scored) {
+    return scored.trial.measured.samples.bottomRows(static_cast<Eigen::Index>(scored_samples(scored)))
+        .array()
+        .isFinite()
+        .any();
+  });
+  if (!measured) return "nothing was measured that a score could be made of";
+  return fmt::format("{}: its score is {}, though all that the model reads is finite{}", to_string(metric_.origin),
+                     score, std::isnan(score) ? kFaultOfPlugin : ": the error is too large for it, or it is faulty");
+}
+
+void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
+  try {
+    desk.candidate.take(candidate);
+  } catch (const Error& error) {
+    result.kind = ScoreKind::invalid;
+    result.reason = error.what();
+  }
+  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) score_trial(t, bar, desk, result);
+}
+
+void ModelScorer::score_trial(std::size_t t, double bar, Desk& desk, ModelScore& result) const {
+  ScoreAccumulator& of_trial = *desk.trials[t];
+  guarded_call(metric_.origin, "reset", [&] { of_trial.reset(); });
+  Tally tally{trials_[t], maps_[t], metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
+  SimulationOptions& options = desk.options[t];
+  options.stop_when = [&tally](std::size_t sample, std::span<const double> readings) {
+    return tally.take(sample, readings);
+  };
+  desk.candidate.simulate(trials_[t].test, options, desk.result);
+  result.steps += desk.result.steps;
+  if (desk.result.ending == Ending::invalid && tally.fault.empty()) tally.fault = desk.result.reason;
+  desk.reads_finite = desk.reads_finite && tally.reads_finite;
+  end_trial(t, tally, result);
+}
+
+void ModelScorer::end_trial(std::size_t t, const Tally& tally, ModelScore& result) const {
+  if (!tally.fault.empty()) {
+    result.kind = ScoreKind::invalid;
+    result.reason = "trial " + std::to_string(t) + ", " + tally.fault;
+  } else if (tally.abandoned) {
+    result.kind = ScoreKind::abandoned;
+  }
+  result.trials.push_back(guarded_call(metric_.origin, "score", [&] {
+    return result.kind == ScoreKind::full ? tally.of_trial.score() : tally.of_trial.bound();
+  }));
+}
+
+/// All trials are simulated first: a delay is one for all of them.
+void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
+  desk.unlagged = candidate;
+  lags_.clear_delays(desk.unlagged.values);
+  if (!read_trials(desk.unlagged, desk, result)) return;
+  result.values = candidate.values;
+  lags_.fit(desk.readings, result.values);
+  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) {
+    ScoreAccumulator& of_trial = *desk.trials[t];
+    guarded_call(metric_.origin, "reset", [&] { of_trial.reset(); });
+    Tally tally{trials_[t], {}, metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
+    const TimeSeries::Samples& readings = desk.readings[t];
+    for (Eigen::Index row = trials_[t].first_sample; row < readings.rows(); ++row)
+      if (tally.add(row, {readings.data() + row * readings.cols(), static_cast<std::size_t>(readings.cols())})) break;
+    desk.reads_finite = desk.reads_finite && tally.reads_finite;
+    end_trial(t, tally, result);
+  }
+}
+
+bool ModelScorer::read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const {
+  desk.readings.resize(trials_.size());
+  try {
+    desk.candidate.take(candidate);
+  } catch (const Error& error) {
+    result.kind = ScoreKind::invalid;
+    result.reason = error.what();
+    return false;
+  }
+  for (std::size_t t = 0; t < trials_.size(); ++t) {
+    desk.options[t].stop_when = nullptr;
+    desk.candidate.simulate(trials_[t].test, desk.options[t], desk.result);
+    result.steps += desk.result.steps;
+    if (desk.result.ending == Ending::invalid) {
+      result.kind = ScoreKind::invalid;
+      result.reason = "trial " + std::to_string(t) + ", " + desk.result.reason;
+      return false;
+    }
+    const TimeSeries::Samples& all = desk.result.readings.samples;
+    desk.readings[t].resize(all.rows(), static_cast<Eigen::Index>(maps_[t].size()));
+    for (std::size_t c = 0; c < maps_[t].size(); ++c)
+      desk.readings[t].col(static_cast<Eigen::Index>(c)) = all.col(maps_[t][c]);
+  }
+  return true;
+}
+
+}  // namespace lacuna

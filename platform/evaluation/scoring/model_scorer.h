@@ -1,0 +1,73 @@
+#pragma once
+
+#include <lacuna/fitness_metric.h>
+#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/model/component_choice.h"
+#include "evaluation/scoring/lag_profile.h"
+#include "evaluation/scoring/scored_trial.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+enum class ScoreKind : std::uint8_t {
+  full,
+  abandoned,  ///< the scores are lower bounds
+  invalid     ///< infinite; `reason` says why
+};
+
+/// What an evaluation of a model found.
+struct ModelScore {
+  double total = 0.0;          ///< over all trials together; smaller is better
+  std::vector<double> trials;  ///< of each trial that was begun; of an abandoned or invalid one the last is a bound
+  ScoreKind kind = ScoreKind::full;
+  std::string reason;
+  std::uint64_t steps = 0;  ///< integration steps
+  /// The model's free values with the delays that were found for it; empty where none are looked for.
+  std::vector<double> values = {};
+};
+
+/// Holds models against trials by a metric. Deterministic: a score depends on the arguments of `score` alone. The
+/// compiled model, and the definition where models may bring a robot of their own or do without effects, must outlive
+/// it.
+class ModelScorer {
+ public:
+  /// Makes a workspace for each of `workers` threads. `profiled`: free values that are delays of sensors and are not
+  /// the candidates', but found for each of them (lag_profile.h), which takes a definition. Throws `Error` where a
+  /// trial measures what the model does not.
+  ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers,
+              const ModelDefinition* definition = nullptr, const std::vector<std::size_t>& profiled = {});
+  ModelScorer(const ModelScorer&) = delete;
+  ModelScorer& operator=(const ModelScorer&) = delete;
+  ~ModelScorer();
+
+  std::size_t trials() const { return trials_.size(); }
+  int workers() const { return static_cast<int>(desks_.size()); }
+
+  /// Simulates the trials in their order until `bar` cannot be reached any more: a total that is above the bar is
+  /// then certain. Without a bar to the end.
+  void score(const ModelProposal& candidate, std::optional<double> bar, int worker, ModelScore& result) const;
+
+ private:
+  struct Desk;
+  struct Tally;
+  void score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
+  void score_trial(std::size_t trial, double bar, Desk& desk, ModelScore& result) const;
+  void score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
+  void end_trial(std::size_t trial, const Tally& tally, ModelScore& result) const;
+  std::string why_not_finite(const Desk& desk, double score) const;
+  bool read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const;
+
+  std::vector<ScoredTrial> trials_;
+  std::vector<std::vector<Eigen::Index>> maps_;  ///< per trial: measured channel → model channel
+  Chosen<FitnessMetric> metric_;
+  LagProfile lags_;
+  std::vector<std::unique_ptr<Desk>> desks_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "measurement/csv/file_report.h"
+#include "measurement/guesses/file_sample.h"
+
+namespace lacuna {
+
+/// The beginning of a file that one of the formats reads; of no meaning where the report has problems.
+FileSample sample_recording(const std::filesystem::path& path, const RecordingFormats& formats, FileReport& report);
+
+}  // namespace lacuna

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "measurement/trials/read_tables.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// Makes one table of the files of a recording, on the first one's clock: a row for each time at which any of them has
+/// one, with no value (NaN) where that file's column has none. Readings so keep their own times. Offsets and skews that
+/// the experiment does not know are found (clock_alignment.h) and noted with their standard errors. The table begins
+/// and ends where the first file does or, if a command comes from another, where all commands are known. Files that
+/// have no time in common are a problem. Rows of further files have no line.
+ReadRecording join_tables(const RecordingSource& source, const RecordingPlan& plan, const MeasuredFile& file,
+                          std::vector<ReadTable> tables);
+
+}  // namespace lacuna
