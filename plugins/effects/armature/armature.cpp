@@ -1,9 +1,15 @@
-#include "armature.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Inertia in a joint's own coordinate, as of a rotor behind a gear.
+class Armature : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription Armature::describe() const {
   return {.summary = "Inertia added to a joint's own coordinate, as of a rotor behind a gear",

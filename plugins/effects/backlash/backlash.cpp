@@ -1,10 +1,17 @@
-#include "backlash.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// Play between an actuator's rotor and its joint.
+class Backlash : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kGap, kStiffness, kDamping };

@@ -1,10 +1,21 @@
-#include "base_compliance.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 #include <lacuna/relaxation.h>
 
 namespace lacuna {
+
+/// A mount that gives way to the reaction of a joint's actuators.
+class BaseCompliance : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  int state_size(const EffectContext& context) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+  void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kRatio, kFrequency, kDampingRatio };

@@ -1,8 +1,15 @@
-#include "buoyancy.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Buoyancy of a body in a medium, at its centre of mass.
+class Buoyancy : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
 
 EffectDescription Buoyancy::describe() const {
   return {.summary = "Buoyancy of a body, as if part of its weight were gone",

@@ -1,12 +1,21 @@
-#include "command_bend.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace lacuna {
+
+/// A drive whose force is not in proportion to its command: it grows with the square, or ever less.
+class CommandBend : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  EffectStages stages() const override { return {.command = CommandStage::saturation}; }
+  double command(double value, int which, const StepView& view, const EffectContext& context,
+                 std::span<double> state) const override;
+};
 
 EffectDescription CommandBend::describe() const {
   return {.summary = "A drive whose force grows more, or less, than in proportion to its command",

@@ -1,8 +1,14 @@
-#include "command_delay.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A pure delay of an actuator's command.
+class CommandDelay : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription CommandDelay::describe() const {
   return {.summary = "A pure delay of an actuator's command",

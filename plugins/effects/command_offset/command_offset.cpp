@@ -1,8 +1,14 @@
-#include "command_offset.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A constant that is added to an actuator's command.
+class CommandOffset : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription CommandOffset::describe() const {
   return {.summary = "A constant added to an actuator's command",

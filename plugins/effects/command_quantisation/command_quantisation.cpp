@@ -1,10 +1,18 @@
-#include "command_quantisation.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// A drive that takes its command in whole steps.
+class CommandQuantisation : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.command = CommandStage::quantisation}; }
+  double command(double value, int which, const StepView& view, const EffectContext& context,
+                 std::span<double> state) const override;
+};
 
 EffectDescription CommandQuantisation::describe() const {
   return {.summary = "An actuator that takes its command in whole steps",

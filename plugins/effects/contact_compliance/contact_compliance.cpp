@@ -1,9 +1,16 @@
-#include "contact_compliance.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Elastic ground contact whose damping grows with the penetration (Hunt and Crossley).
+class ContactCompliance : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kStiffness, kDamping };

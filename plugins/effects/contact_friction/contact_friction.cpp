@@ -1,9 +1,15 @@
-#include "contact_friction.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Coulomb friction between bodies and ground.
+class ContactFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription ContactFriction::describe() const {
   return {.summary = "Coulomb friction of given size between bodies and ground",

@@ -1,9 +1,16 @@
-#include "coulomb_friction.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Dry friction of constant size in a joint: tau = −Fc·sgn v, and whatever holds the joint still
+/// up to Fc (C. A. Coulomb, Théorie des machines simples, 1785).
+class CoulombFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription CoulombFriction::describe() const {
   return {.summary = "Dry friction of constant size in a joint, with stiction",

@@ -1,12 +1,21 @@
-#include "coupled_friction.h"
-
 #include <lacuna/error.h>
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// Friction of the velocity at which two joints move a gear or a belt between them.
+class CoupledFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kViscous, kDry, kVelocity, kRatio };

@@ -1,11 +1,20 @@
-#include "cubic_stiffness.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// A spring whose torque grows with the third power of its deflection (Duffing).
+class CubicStiffness : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kStiffness, kRest };

@@ -1,9 +1,18 @@
-#include "directional_friction.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Dry friction of different size in the two directions of motion.
+class DirectionalFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kPositive, kNegative };

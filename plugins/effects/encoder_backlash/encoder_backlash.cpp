@@ -1,7 +1,6 @@
-#include "encoder_backlash.h"
-
 #include <lacuna/error.h>
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 #include <lacuna/relaxation.h>
 
@@ -9,6 +8,19 @@
 #include <cmath>
 
 namespace lacuna {
+
+/// Play between a joint and an encoder on the motor's side of its gear.
+class EncoderBacklash : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::geometry}; }
+  int state_size(const EffectContext& context) const override;
+  void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kGap, kForce, kTime };

@@ -1,10 +1,19 @@
-#include "encoder_eccentricity.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// An encoder disc that is not centred: an error that repeats with the reading.
+class EncoderEccentricity : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::geometry}; }
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kSine, kCosine, kPeriods };

@@ -1,10 +1,17 @@
-#include "joint_compliance.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// An elastic transmission between an actuator's rotor and its joint.
+class JointCompliance : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kStiffness, kDamping };

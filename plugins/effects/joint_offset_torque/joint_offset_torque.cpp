@@ -1,9 +1,16 @@
-#include "joint_offset_torque.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A torque that always pulls a joint the same way: tau = tau0, as of a cable, a spring far from its
+/// rest, an amplifier's offset. Positive torque turns the joint in its positive direction.
+class JointOffsetTorque : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription JointOffsetTorque::describe() const {
   return {.summary = "A constant torque in a joint, in its positive direction",

@@ -1,9 +1,16 @@
-#include "joint_spring.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A linear spring in a joint: tau = −k·(q − rest).
+class JointSpring : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kStiffness, kRest };

@@ -1,8 +1,15 @@
-#include "linear_drag.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Drag of a viscous medium on a body's centre of mass.
+class LinearDrag : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
 
 EffectDescription LinearDrag::describe() const {
   return {.summary = "Drag on a body that grows with the velocity of its centre of mass",

@@ -1,10 +1,22 @@
-#include "link_flexibility.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 #include <lacuna/relaxation.h>
 
 namespace lacuna {
+
+/// The first bending mode of a link: inertia that hangs on the joint by a spring.
+class LinkFlexibility : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  int state_size(const EffectContext& context) const override;
+  void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+  void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kInertia, kFrequency, kDampingRatio };

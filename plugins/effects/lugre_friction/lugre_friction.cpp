@@ -1,12 +1,24 @@
-#include "lugre_friction.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 #include <lacuna/relaxation.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// Dry friction with elastic bristles (LuGre): presliding, break-away, Stribeck curve and rate dependence in one
+/// law.
+class LugreFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  int state_size(const EffectContext& context) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+  void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kCoulomb, kExcess, kVelocity, kBristleStiffness, kBristleDamping, kViscous };

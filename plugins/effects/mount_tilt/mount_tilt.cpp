@@ -1,8 +1,15 @@
-#include "mount_tilt.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A rig that does not stand level: gravity is tilted in its frame.
+class MountTilt : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kRoll, kPitch };

@@ -1,8 +1,15 @@
-#include "payload.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A point mass carried by a body.
+class Payload : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kMass, kX, kY, kZ };

@@ -1,12 +1,21 @@
-#include "position_friction.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace lacuna {
+
+/// Dry friction that varies periodically with the position, as of a bent shaft or an eccentric gear.
+class PositionFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kMean, kSine, kCosine, kPeriods };

@@ -1,11 +1,19 @@
-#include "quadratic_damping.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// A torque against a joint's motion that grows with the square of its speed.
+class QuadraticDamping : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
 
 EffectDescription QuadraticDamping::describe() const {
   return {.summary = "Torque against a joint's motion that grows with the square of its speed",

@@ -1,8 +1,16 @@
-#include "quadratic_drag.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Drag of a turbulent medium on a body's centre of mass.
+class QuadraticDrag : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kArea, kDensity };

@@ -1,10 +1,16 @@
-#include "quantisation.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// A sensor that reads in steps.
+class Quantisation : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription Quantisation::describe() const {
   return {.summary = "A sensor that reads in steps",

@@ -1,11 +1,17 @@
-#include "restitution.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// Bodies that bounce off the ground.
+class Restitution : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription Restitution::describe() const {
   return {.summary = "Bodies that bounce off the ground",

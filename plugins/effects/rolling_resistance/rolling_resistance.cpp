@@ -1,9 +1,15 @@
-#include "rolling_resistance.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Resistance of the ground to rolling and turning.
+class RollingResistance : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription RollingResistance::describe() const {
   return {.summary = "Resistance of the ground to what rolls on it",

@@ -1,8 +1,14 @@
-#include "sensor_delay.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A pure delay of a sensor's readings.
+class SensorDelay : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription SensorDelay::describe() const {
   return {.summary = "A pure delay of a sensor's readings",

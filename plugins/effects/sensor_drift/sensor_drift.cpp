@@ -1,8 +1,16 @@
-#include "sensor_drift.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A sensor whose readings move away evenly in time.
+class SensorDrift : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::drift}; }
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
 
 EffectDescription SensorDrift::describe() const {
   return {.summary = "A sensor's readings move away evenly in time",

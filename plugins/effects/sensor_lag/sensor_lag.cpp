@@ -1,10 +1,21 @@
-#include "sensor_lag.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// First-order lag of a sensor's readings, as of a filter.
+class SensorLag : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::lag}; }
+  int state_size(const EffectContext& context) const override;
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+  double lateness(double time, const EffectContext& context) const override;
+};
+
 namespace {
 
 constexpr std::size_t kChannels = 4;               // at most, of any sensor

@@ -1,8 +1,16 @@
-#include "sensor_offset.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A constant that is added to a sensor's readings.
+class SensorOffset : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::offset}; }
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
 
 EffectDescription SensorOffset::describe() const {
   return {.summary = "A constant added to a sensor's readings",

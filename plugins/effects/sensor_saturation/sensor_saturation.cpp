@@ -1,10 +1,19 @@
-#include "sensor_saturation.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// A sensor that cannot read beyond its range.
+class SensorSaturation : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::saturation}; }
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kLower, kUpper };

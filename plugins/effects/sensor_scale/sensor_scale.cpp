@@ -1,8 +1,16 @@
-#include "sensor_scale.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A sensor whose readings are too large or too small by a factor.
+class SensorScale : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.sensor = SensorStage::scale}; }
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
 
 EffectDescription SensorScale::describe() const {
   return {.summary = "A sensor's readings are too large or too small, by a constant factor",

@@ -1,11 +1,20 @@
-#include "slew_rate_limit.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace lacuna {
+
+/// A limit to how quickly an actuator's command is followed.
+class SlewRateLimit : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.command = CommandStage::slew_rate}; }
+  int state_size(const EffectContext& context) const override;
+  double command(double value, int which, const StepView& view, const EffectContext& context,
+                 std::span<double> state) const override;
+};
 
 EffectDescription SlewRateLimit::describe() const {
   return {.summary = "A limit to how quickly an actuator follows its command",

@@ -1,9 +1,15 @@
-#include "slope.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// A ground that is not level.
+class Slope : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription Slope::describe() const {
   return {.summary = "A ground that is not level",

@@ -1,11 +1,20 @@
-#include "stribeck_friction.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// Dry friction that is larger at rest and falls to the Coulomb level as the joint begins to move.
+class StribeckFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                 StepLoads& loads) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kCoulomb, kExcess, kVelocity };

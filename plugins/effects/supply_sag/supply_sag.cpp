@@ -1,9 +1,15 @@
-#include "supply_sag.h"
-
 #include <lacuna/error.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// An actuator whose supply has an internal resistance.
+class SupplySag : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription SupplySag::describe() const {
   return {

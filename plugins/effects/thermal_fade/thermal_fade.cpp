@@ -1,12 +1,24 @@
-#include "thermal_fade.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 #include <lacuna/relaxation.h>
 
 #include <cmath>
 
 namespace lacuna {
+
+/// An actuator that gets weaker as it gets warm.
+class ThermalFade : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectStages stages() const override { return {.command = CommandStage::gain}; }
+  void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  int state_size(const EffectContext& context) const override;
+  double command(double value, int which, const StepView& view, const EffectContext& context,
+                 std::span<double> state) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kFade, kTime };

@@ -1,8 +1,14 @@
-#include "torque_gain.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// An actuator whose force is larger or smaller than its command says.
+class TorqueGain : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription TorqueGain::describe() const {
   return {.summary = "An actuator's force is larger or smaller than it should be, by a constant factor",

@@ -1,10 +1,16 @@
-#include "torque_saturation.h"
-
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// A limit to the force that an actuator exerts.
+class TorqueSaturation : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription TorqueSaturation::describe() const {
   return {.summary = "A limit to the force that an actuator exerts",

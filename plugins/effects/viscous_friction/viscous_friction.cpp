@@ -1,9 +1,15 @@
-#include "viscous_friction.h"
-
 #include <lacuna/joint_laws.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Friction proportional to a joint's velocity: tau = −b·v, as of a lubricated bearing or a motor's back-EMF.
+class ViscousFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription ViscousFriction::describe() const {
   return {.summary = "Friction in a joint that grows with its velocity",

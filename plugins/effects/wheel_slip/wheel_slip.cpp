@@ -1,9 +1,15 @@
-#include "wheel_slip.h"
-
 #include <lacuna/element_checks.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
+
+/// Contacts that creep in proportion to the tangential force, as tyres do.
+class WheelSlip : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
 
 EffectDescription WheelSlip::describe() const {
   return {.summary = "Contacts that creep in proportion to the tangential force, as tyres do",

@@ -1,10 +1,18 @@
-#include "parameters.h"
-
 #include <lacuna/error.h>
+#include <lacuna/model_encoding.h>
 #include <lacuna/plugin.h>
 #include <lacuna/value_genes.h>
 
 namespace lacuna {
+
+/// One real gene a free parameter: the value itself, SI, within its search bounds. Decoding clamps to the bounds.
+class Parameters : public ModelEncoding {
+ public:
+  std::string summary() const override;
+  GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const override;
+  ModelProposal decode(const ModelSpace& space, std::span<const double> parameters,
+                       std::span<const double> genome) const override;
+};
 
 std::string Parameters::summary() const { return "One gene a free parameter: its value in SI units"; }
 

@@ -1,10 +1,18 @@
-#include "one_point_crossover.h"
-
+#include <lacuna/mutation_operator.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
 
 namespace lacuna {
+
+/// The first genes of one parent and the rest of another, cut at a random place that is never inside a row.
+class OnePointCrossover : public MutationOperator {
+ public:
+  std::string summary() const override;
+  std::size_t parents() const override { return 2; }
+  Genome vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
+              RandomStream& random) const override;
+};
 
 std::string OnePointCrossover::summary() const {
   return "The first genes of one parent and the rest of another, cut at random";

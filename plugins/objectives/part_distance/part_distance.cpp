@@ -1,11 +1,22 @@
-#include "part_distance.h"
+#include <lacuna/error.h>
+#include <lacuna/objective_metric.h>
+#include <lacuna/plugin.h>
 
 #include "junctions.h"
 
-#include <lacuna/error.h>
-#include <lacuna/plugin.h>
-
 namespace lacuna {
+
+/// How far the parts of a model lie from those of the target (the origins of their frames, which sensors of place
+/// read), in the pose in which both start (Eq. 3 of the seed), and whether they hang together in the same way.
+class PartDistance : public ObjectiveMetric {
+ public:
+  std::string summary() const override;
+  /// `body.<name>.position` of each part, m; their mean `body.*.position`, which is e_o; `topology_wrong`, 0 or 1.
+  /// Parts are matched by index. Throws `Error` where model and target have different numbers of parts.
+  std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model, const HiddenTruth& truth,
+                                    std::span<const double> parameters) const override;
+};
+
 std::string PartDistance::summary() const {
   return "Distance of each part's centre from the target's at the start, its mean, and whether the topology is wrong";
 }

@@ -1,11 +1,10 @@
-#include "cma_es.h"
-
-#include "cma_constants.h"
-
 #include <lacuna/count_parameter.h>
 #include <lacuna/error.h>
 #include <lacuna/generational_search.h>
 #include <lacuna/plugin.h>
+#include <lacuna/search_strategy.h>
+
+#include "cma_constants.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -14,6 +13,18 @@
 #include <numeric>
 
 namespace lacuna {
+
+/// Evolution strategy with covariance matrix adaptation after N. Hansen, "The CMA evolution strategy: a tutorial"
+/// (2016, arXiv:1604.00772), with weights on the better half only. Makes its own children: the breeder is not used. All
+/// scores count in full: which of them belong to the better half is not known before the generation ends.
+class CmaEs : public SearchStrategy {
+ public:
+  std::string summary() const override;
+  ParameterDeclarations parameters() const override;
+  /// Throws `Error` for a population of 1.
+  std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const override;
+};
+
 namespace {
 
 using Eigen::Index;

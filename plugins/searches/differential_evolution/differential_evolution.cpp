@@ -1,15 +1,26 @@
-#include "differential_evolution.h"
-
 #include <lacuna/count_parameter.h>
 #include <lacuna/error.h>
 #include <lacuna/generational_search.h>
 #include <lacuna/plugin.h>
+#include <lacuna/search_strategy.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace lacuna {
+
+/// Differential evolution, rand/1/bin (Storn and Price, 1997): each individual is challenged by a mix of itself with
+/// another one that was moved along the difference of two more. Makes its own children: the breeder only draws the
+/// first generation.
+class DifferentialEvolution : public SearchStrategy {
+ public:
+  std::string summary() const override;
+  ParameterDeclarations parameters() const override;
+  /// Throws `Error` for a population below 4.
+  std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kPopulation, kGenerations, kWeight, kCrossover };

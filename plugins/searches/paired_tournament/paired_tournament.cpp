@@ -1,15 +1,24 @@
-#include "paired_tournament.h"
-
 #include <lacuna/count_parameter.h>
 #include <lacuna/error.h>
 #include <lacuna/generational_search.h>
 #include <lacuna/plugin.h>
+#include <lacuna/search_strategy.h>
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
 namespace lacuna {
+
+/// The search of the seed's experiment 2: pairs drawn one after the other; the fitter overwrites the other, and the
+/// copy is varied. A generation is so many pairs. Pairs whose individuals have a score are asked together.
+class PairedTournament : public SearchStrategy {
+ public:
+  std::string summary() const override;
+  ParameterDeclarations parameters() const override;
+  std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const override;
+};
+
 namespace {
 
 enum Parameter : std::size_t { kPopulation, kPairs, kGenerations };
