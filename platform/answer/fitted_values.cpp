@@ -1,5 +1,6 @@
 #include "answer/fitted_values.h"
 
+#include "foundation/statistics.h"
 #include "candidates/wrong_value.h"
 #include "criterion/value_errors.h"
 #include "foundation/processes/guarded_call.h"
@@ -13,10 +14,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kOf95 = 1.959963984540054;  ///< of a normal distribution, 95 % lie within
-constexpr double kSaysSomething = 0.9;       ///< of the deviation of a value anywhere within its bounds
-constexpr double kAtBound = 1e-9;            ///< of a range
-constexpr double kToldTiming = 1.0 / 3.0;    ///< command intervals
+constexpr double kSaysSomething = 0.9;     ///< of the deviation of a value anywhere within its bounds
+constexpr double kAtBound = 1e-9;          ///< of a range
+constexpr double kToldTiming = 1.0 / 3.0;  ///< command intervals
 
 std::vector<HeldParameter> held_values(const ModelStructure& structure, const EffectEntry& entry) {
   std::vector<HeldParameter> held;
@@ -71,8 +71,8 @@ FoundParameter FittedValues::parameter(std::size_t value, const std::string& nam
   FoundParameter found{name, set_.model.definition.free[value].unit, space_.to_value(j, at), kNothing, kNothing};
   found.at_bound = is_at_bound(j);
   if (deviation > 0.0) {
-    found.lower_95 = space_.to_value(j, std::max(space_.lower()(j), at - kOf95 * deviation));
-    found.upper_95 = space_.to_value(j, std::min(space_.upper()(j), at + kOf95 * deviation));
+    found.lower_95 = space_.to_value(j, std::max(space_.lower()(j), at - kWithin95 * deviation));
+    found.upper_95 = space_.to_value(j, std::min(space_.upper()(j), at + kWithin95 * deviation));
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #include "answer/search_findings.h"
 
+#include "foundation/statistics.h"
 #include "answer/errors_by_length.h"
 #include "answer/evidence.h"
 #include "answer/fitted_values.h"
@@ -21,7 +22,7 @@ constexpr std::size_t kMostRanked = 8;
 constexpr double kAboveFloor = 3.0;      ///< of the model's error: what leaves more is no noise of readings
 constexpr double kFarAboveFloor = 20.0;  ///< of the same: what leaves so much is not right
 constexpr double kMostLeft = 0.25;       ///< of all that is gained, that a law of no effect may gain beside an answer
-constexpr double kBeyond = 1.96;         ///< standard errors
+constexpr double kBeyond = kWithin95;    ///< standard errors
 constexpr double kMoved = 2.0;           ///< standard errors
 constexpr double kNoticeable = 0.01;     ///< of a value
 constexpr double kOffTime = 0.1;         ///< command intervals

@@ -1,5 +1,6 @@
 #include "candidates/data_scales.h"
 
+#include "foundation/statistics.h"
 #include "foundation/address.h"
 
 #include <algorithm>
@@ -34,9 +35,7 @@ double usual_speed(const Eigen::VectorXd& times, const Eigen::Ref<const Eigen::V
     if (span > 0.0 && std::isfinite(speed)) speeds.push_back(speed);
   }
   if (speeds.empty()) return 0.0;
-  const auto rank = speeds.begin() + static_cast<std::ptrdiff_t>(kRarely * static_cast<double>(speeds.size() - 1));
-  std::nth_element(speeds.begin(), rank, speeds.end());
-  return *rank;
+  return quantile_of(speeds, kRarely);
 }
 
 double known(const std::map<std::string, double>& scales, const std::string& unit) {

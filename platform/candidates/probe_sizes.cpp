@@ -2,7 +2,7 @@
 
 #include "candidates/data_scales.h"
 #include "fitting/shooting/parameter_space.h"
-#include "fitting/numerics/rms_of_parts.h"
+#include "foundation/statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ class Climber {
         robot_size_(size_of(hypothesis.definition.structure.robot)),
         others_(hypothesis.neutral) {
     valid_ = simulate_(hypothesis_.neutral, calm_);
-    residual_ = std::max(1.0, rms_of_parts(calm_));
+    residual_ = std::max(1.0, root_mean_square(calm_));
   }
 
   bool valid() const { return valid_; }
@@ -128,7 +128,7 @@ class Climber {
     own[i] = value(i, way);
     if (!simulate_(own, moved_)) return std::nullopt;
     for (std::size_t k = 0; k < calm_.size(); ++k) moved_[k] -= calm_[k];
-    return rms_of_parts(moved_);
+    return root_mean_square(moved_);
   }
 
   /// As far as a change in proportion would need, between what is too little and what is too much.

@@ -1,5 +1,6 @@
 #include "data_checks/command_doubts.h"
 
+#include "foundation/statistics.h"
 #include "data_checks/stacked_accelerations.h"
 #include "data_checks/straight_fit.h"
 #include "foundation/address.h"
@@ -40,10 +41,6 @@ std::string unit_guess(double times, const std::string& unit) {
                        : ", as where a command in thousandths (mN*m) is read without its prefix, or a reading in "
                          "whole units as thousandths";
   return ", as where a unit or a gear ratio is missing";
-}
-
-double rms(const Eigen::VectorXd& values) {
-  return std::sqrt(values.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(values.size(), 1)));
 }
 
 /// A command that moves its joint less than the model says.
@@ -96,10 +93,10 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
          fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
                      "units of both columns and the model's inertia",
                      data.channel, times, actuator, unit_guess(times, data.unit))});
-  } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing &&
+  } else if (root_mean_square(own) > kLively && std::abs(times) + kSure * deviation < kNothing &&
              !is_explained_by_motion(data, own, data.beside.cols())) {
-    unfollowed.push_back(
-        {data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit), 100.0 * std::abs(times)});
+    unfollowed.push_back({data.channel, actuator, format_quantity(root_mean_square(own) * data.deviation, data.unit),
+                          100.0 * std::abs(times)});
   }
 }
 

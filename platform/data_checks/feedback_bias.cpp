@@ -1,5 +1,6 @@
 #include "data_checks/feedback_bias.h"
 
+#include "foundation/statistics.h"
 #include "fitting/comparison.h"
 #include "foundation/unit.h"
 #include "measurement/trials/recorded_controller.h"
@@ -57,7 +58,7 @@ std::vector<Trial> in_the_loop(std::vector<Trial> trials) {
 /// Of the interval, which reaches as far as the integration step has moved the value. None at a bound: the other one
 /// says how far away from it is far.
 double error_of(const FittedValue& value) {
-  constexpr double kWithin = 2.0 * 1.959963984540054;  // standard errors, 95 %
+  constexpr double kWithin = 2.0 * kWithin95;  // standard errors, 95 %
   if (value.at_lower_bound || value.at_upper_bound) return 0.0;
   return std::max(value.standard_error, (value.upper_95 - value.lower_95) / kWithin);
 }

@@ -2,7 +2,7 @@
 
 #include "fitting/floor/free_run.h"
 #include "fitting/numerics/progress_meter.h"
-#include "fitting/numerics/rms_of_parts.h"
+#include "fitting/numerics/scored_rms.h"
 #include "fitting/scores.h"
 #include "fitting/stages.h"
 #include "foundation/processes/interrupt.h"

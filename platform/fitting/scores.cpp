@@ -1,6 +1,6 @@
 #include "fitting/scores.h"
 
-#include "fitting/numerics/rms_of_parts.h"
+#include "fitting/numerics/scored_rms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "fitting/floor/free_run.h"
 #include "fitting/floor/noise_floor.h"
-#include "fitting/numerics/rms_of_parts.h"
+#include "fitting/numerics/scored_rms.h"
 #include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 

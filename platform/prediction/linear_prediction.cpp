@@ -1,5 +1,6 @@
 #include "prediction/linear_prediction.h"
 
+#include "foundation/statistics.h"
 #include "fitting/starts/start_states.h"
 #include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
@@ -31,12 +32,6 @@ Eigen::VectorXd unknown_of(const PredictedStretch& stretch) {
   for (Eigen::Index i = 0; i < start.size(); ++i)
     start(i) = component(stretch.start, stretch.unknown[static_cast<std::size_t>(i)]);
   return start;
-}
-
-double root_mean_square(const std::vector<Eigen::VectorXd>& all) {
-  double sum = 0.0, count = 0.0;
-  for (const Eigen::VectorXd& one : all) sum += one.squaredNorm(), count += static_cast<double>(one.size());
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
 
 }  // namespace

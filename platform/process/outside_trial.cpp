@@ -1,5 +1,6 @@
 #include "process/outside_trial.h"
 
+#include "foundation/statistics.h"
 #include "foundation/text/counted.h"
 #include "process/json_message.h"
 #include "process/quoted_text.h"
@@ -42,9 +43,7 @@ TimeSeries columns_of(const std::vector<Channel>& channels, const std::vector<st
 double median_interval(const Eigen::VectorXd& times) {
   std::vector<double> intervals;
   for (Eigen::Index i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
+  return median_of(intervals);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "residual_law/force_pulses.h"
 
+#include "foundation/statistics.h"
 #include "fitting/floor/disturbance.h"
 
 #include <algorithm>
@@ -19,12 +20,6 @@ struct OneLength {
   PredictionPoint point;
   Eigen::Index pulses = 0;
 };
-
-double root_mean_square(const std::vector<Eigen::VectorXd>& all) {
-  double sum = 0.0, count = 0.0;
-  for (const Eigen::VectorXd& one : all) sum += one.squaredNorm(), count += static_cast<double>(one.size());
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
-}
 
 std::pair<Eigen::Index, Eigen::Index> samples_of_pulse(const PredictedStretch& stretch, Eigen::Index pulse,
                                                        Eigen::Index pulses) {

@@ -1,5 +1,7 @@
 #include "residual_law/joint_laws.h"
 
+#include "foundation/statistics.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,10 +31,7 @@ bool is_of_motion(const LawFamily& family) {
   return family.kind.starts_with("position") || family.kind.starts_with("velocity");
 }
 
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
+double quantile(std::vector<double> values, double share) { return quantile_of(values, share); }
 
 /// Where a curve of a family of one quantity is told.
 std::vector<JointMoment> moments_at(const LawFamily& family) {
@@ -57,7 +56,7 @@ std::optional<FittedLaw> longer_by_one(const LawBench& bench, const FittedLaw& l
 }  // namespace
 
 Gain in_nats(const CostGain& gain) {
-  constexpr double kBeyond = 1.96;  // standard errors
+  constexpr double kBeyond = kWithin95;  // standard errors
   return {gain.nats, gain.error, gain.nats - kBeyond * gain.error, gain.nats + kBeyond * gain.error};
 }
 

@@ -1,5 +1,7 @@
 #include "residual_law/law_family.h"
 
+#include "foundation/statistics.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -150,9 +152,7 @@ double usual_speed(const JointCourse& course, double share) {
   std::vector<double> speeds = course.all(&JointMoment::velocity);
   if (speeds.empty()) return 0.0;
   for (double& speed : speeds) speed = std::abs(speed);
-  const auto rank = speeds.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(speeds.size() - 1));
-  std::nth_element(speeds.begin(), rank, speeds.end());
-  return std::stod(fmt::format("{:.2g}", *rank));
+  return std::stod(fmt::format("{:.2g}", quantile_of(speeds, share)));
 }
 
 void add_powers(std::vector<ForceTerm>& all, const std::string& unit) {

@@ -1,5 +1,6 @@
 #include "search/spread.h"
 
+#include "foundation/statistics.h"
 #include "candidates/wrong_value.h"
 #include "criterion/evidence.h"
 #include "criterion/value_errors.h"
@@ -11,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTold = 1.96;             ///< standard errors
+constexpr double kTold = kWithin95;        ///< standard errors
 constexpr std::uint64_t kSeedOfSigns = 1;  ///< of signs drawn at random
 constexpr const char* kOfEach = ".*";
 constexpr int kRounds = 4;             ///< of fits

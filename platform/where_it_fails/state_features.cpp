@@ -1,5 +1,6 @@
 #include "where_it_fails/state_features.h"
 
+#include "foundation/statistics.h"
 #include "where_it_fails/model_state.h"
 #include "where_it_fails/motion.h"
 #include "fitting/starts/start_states.h"
@@ -47,10 +48,6 @@ struct Kinematics {
   Eigen::MatrixXd positions, velocities;
   Eigen::VectorXd rest;  ///< a coordinate: speeds that count as rest
 };
-
-double root_mean_square(const Eigen::VectorXd& values) {
-  return values.size() > 0 ? std::sqrt(values.squaredNorm() / static_cast<double>(values.size())) : 0.0;
-}
 
 class FeatureBuilder {
  public:

@@ -2,6 +2,8 @@
 
 #include <lacuna/random_stream.h>
 
+#include "foundation/statistics.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@ namespace lacuna {
 namespace {
 
 constexpr double kLevel = 0.95;
-constexpr double kWidth95 = 1.959963984540054;  // half of a normal distribution's 95 % band, in standard deviations
 constexpr int kResamples = 2000;
 
 /// Ratios of one trial.
@@ -59,7 +60,7 @@ double error_of(const std::vector<Ratios>& trials) {
   double sum = 0.0;
   for (const Ratios& ratios : trials)
     sum += std::inner_product(ratios.begin(), ratios.end(), ratios.begin(), 0.0) / static_cast<double>(ratios.size());
-  return kWidth95 * std::sqrt(sum / static_cast<double>(trials.size()));
+  return kWithin95 * std::sqrt(sum / static_cast<double>(trials.size()));
 }
 
 ChannelSupport channel_support(const std::vector<Ratios>& trials, std::uint64_t seed) {

@@ -1,6 +1,6 @@
 #include "eea/ensemble/ensemble_band.h"
 
-#include <boost/math/distributions/students_t.hpp>
+#include "foundation/statistics.h"
 
 #include <cmath>
 #include <cstddef>
@@ -8,12 +8,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kUpper95 = 1.959963984540054;  // of the normal distribution: 97.5 % lie below it
-
 /// What a standard deviation between so many models is multiplied by.
 double spread_factor(std::size_t models) {
   const auto count = static_cast<double>(models);
-  const double t = boost::math::quantile(boost::math::students_t(count - 1.0), 0.975);
+  const double t = within_95_of_students_t(count - 1.0);
   return t * std::sqrt(1.0 + 1.0 / count);
 }
 
@@ -31,7 +29,7 @@ EnsembleBand band_of(const std::vector<TimeSeries::Samples>& predictions, const 
     band.half_width *= factor * factor / (count - 1.0);
   }
   for (std::size_t c = 0; c < noise.size(); ++c) {
-    const double reading = std::isfinite(noise[c]) ? kUpper95 * noise[c] : 0.0;
+    const double reading = std::isfinite(noise[c]) ? kWithin95 * noise[c] : 0.0;
     band.half_width.col(static_cast<Eigen::Index>(c)).array() += reading * reading;
   }
   band.half_width = band.half_width.cwiseSqrt();

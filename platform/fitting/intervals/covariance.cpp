@@ -1,12 +1,11 @@
 #include "fitting/intervals/covariance.h"
 
+#include "foundation/statistics.h"
 #include "fitting/shooting/reduced_rows.h"
 #include "fitting/shooting/residual_memory.h"
 #include "fitting/shooting/time_blocks.h"
 
 #include <Eigen/Eigenvalues>
-#include <boost/math/distributions/students_t.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,7 +118,7 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   result.inverse_information(free, free) = bread;
 
   const int degrees = std::max(1, result.blocks - static_cast<int>(free.size()));
-  result.quantile = boost::math::quantile(boost::math::students_t(degrees), 0.975);
+  result.quantile = within_95_of_students_t(degrees);
   const Eigen::MatrixXd scores = block_scores(rows, blocks)(free, Eigen::all);
   result.covariance(free, free) =
       bread * (scores * scores.transpose()) * bread * (static_cast<double>(result.blocks) / degrees);

@@ -1,5 +1,6 @@
 #include "fitting/shooting/shooting_problem.h"
 
+#include "foundation/statistics.h"
 #include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
@@ -16,19 +17,6 @@ constexpr double kTolerated = 10.0;  ///< steps whose change is off by less than
 constexpr int kStepRounds = 4;
 
 double rms(double sum_of_squares, double count) { return count > 0.0 ? std::sqrt(sum_of_squares / count) : 0.0; }
-
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return rms(sum, static_cast<double>(values.size()));
-}
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -261,8 +249,9 @@ std::vector<double> residual_scales(const ShootingProblem& problem, const std::v
     }
   std::vector<double> scales;
   for (std::size_t channel = 0; channel < sizes.size(); ++channel) {
-    const double scale = std::isfinite(loss.threshold) ? 1.4826 * median(sizes[channel]) : rms(sizes[channel]);
-    scales.push_back(std::max(scale, problem.noise()[channel].deviation));
+    const double scale =
+        std::isfinite(loss.threshold) ? 1.4826 * median_of(sizes[channel]) : root_mean_square(sizes[channel]);
+    scales.push_back(std::fmax(scale, problem.noise()[channel].deviation));  // the scale is NaN without residuals
   }
   return scales;
 }

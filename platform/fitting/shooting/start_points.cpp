@@ -1,7 +1,7 @@
 #include "fitting/shooting/start_points.h"
 
-#include "fitting/numerics/rms_of_parts.h"
 #include "fitting/numerics/seeded_noise.h"
+#include "foundation/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr double kLadder = 3.1622776601683795;
 double rms_change(const std::vector<Eigen::VectorXd>& a, const std::vector<Eigen::VectorXd>& b) {
   std::vector<Eigen::VectorXd> difference;
   for (std::size_t k = 0; k < a.size(); ++k) difference.push_back(a[k] - b[k]);
-  return rms_of_parts(difference);
+  return root_mean_square(difference);
 }
 
 /// The smallest rung of a ladder from zero at which value `j` matters: it changes the prediction by as much
@@ -24,7 +24,7 @@ double size_that_matters(ShootingProblem& problem, const FreeValue& free, Eigen:
                          const std::vector<Eigen::VectorXd>& residuals) {
   const double direction = free.upper > 0.0 ? 1.0 : -1.0;
   const double farthest = direction > 0.0 ? free.upper : -free.lower;
-  const double enough = std::max(1.0, rms_of_parts(residuals));
+  const double enough = std::max(1.0, root_mean_square(residuals));
   std::vector<double> changes;
   std::vector<Eigen::VectorXd> moved;
   for (double size = kSmallestShare * farthest; size < farthest; size *= kLadder) {

@@ -1,5 +1,6 @@
 #include "fitting/starts/sensor_noise.h"
 
+#include "foundation/statistics.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
 #include "measurement/line_departures.h"
@@ -68,9 +69,7 @@ Figure from_second_differences(const std::vector<Trial>& trials, const std::stri
     }
   double deviation = 0.0;
   if (!departures.empty()) {
-    const auto middle = departures.begin() + static_cast<std::ptrdiff_t>(departures.size() / 2);
-    std::nth_element(departures.begin(), middle, departures.end());
-    deviation = 1.4826 * *middle;
+    deviation = 1.4826 * median_of(departures);
     if (deviation == 0.0) {  // a coarse quantiser: most second differences vanish
       double squares = 0.0;
       for (const double departure : departures) squares += departure * departure;

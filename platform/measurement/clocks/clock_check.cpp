@@ -1,5 +1,6 @@
 #include "measurement/clocks/clock_check.h"
 
+#include "foundation/statistics.h"
 #include "foundation/unit.h"
 #include "measurement/clocks/clock_wraps.h"
 
@@ -152,9 +153,7 @@ double median_interval(std::span<const double> times) {
   if (times.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   std::vector<double> intervals(times.size() - 1);
   for (std::size_t i = 0; i < intervals.size(); ++i) intervals[i] = times[i + 1] - times[i];
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
+  return median_of(intervals);
 }
 
 void check_intervals(const TrialClock& whole, const CsvTable& table, const RecordingSource& source,

@@ -1,5 +1,6 @@
 #include "measurement/clocks/clock_wraps.h"
 
+#include "foundation/statistics.h"
 #include "measurement/clocks/clock_check.h"
 
 #include <fmt/format.h>
@@ -48,9 +49,7 @@ double median_step(const std::vector<double>& times) {
   for (std::size_t i = 1; i < times.size(); ++i)
     if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
   if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median_of(steps);
 }
 
 /// Whether all stamps lie between the ends of a wrap, and each step back is from near the one to near the other.

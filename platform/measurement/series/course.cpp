@@ -1,5 +1,7 @@
 #include "measurement/series/course.h"
 
+#include "foundation/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -83,13 +85,6 @@ double smallest_change(std::span<const double> values) {
     if (size > 0.0 && (smallest == 0.0 || size < smallest)) smallest = size;
   }
   return smallest;
-}
-
-double quantile_of(std::vector<double>& numbers, double share) {
-  if (numbers.empty()) return std::nan("");
-  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
-  std::nth_element(numbers.begin(), at, numbers.end());
-  return *at;
 }
 
 }  // namespace lacuna

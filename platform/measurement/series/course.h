@@ -43,7 +43,4 @@ double usual_bend(std::span<const double> values);
 /// The smallest change from one reading to the next; 0: all are alike.
 double smallest_change(std::span<const double> values);
 
-/// A quantile of some numbers, which are reordered; NaN of none.
-double quantile_of(std::vector<double>& numbers, double share);
-
 }  // namespace lacuna

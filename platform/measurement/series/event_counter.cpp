@@ -1,5 +1,6 @@
 #include "measurement/series/event_counter.h"
 
+#include "foundation/statistics.h"
 #include "measurement/series/known_readings.h"
 
 #include <algorithm>
@@ -29,17 +30,12 @@ std::vector<CountStep> steps_of(const KnownReadings& known) {
   return steps;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The count by which all steps go; 0: none.
 double count_of(const std::vector<CountStep>& steps) {
   std::vector<double> sizes;
   for (const CountStep& step : steps) sizes.push_back(std::abs(step.change));
-  const double count = median_of(sizes);
+  std::vector<double> sorted = sizes;
+  const double count = median_of(sorted);
   const auto alike = std::count_if(sizes.begin(), sizes.end(),
                                    [&](double size) { return std::abs(size - count) <= kPrinted * count; });
   return static_cast<double>(alike) >= kOfOneCount * static_cast<double>(sizes.size()) ? count : 0.0;

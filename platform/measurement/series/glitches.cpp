@@ -1,5 +1,6 @@
 #include "measurement/series/glitches.h"
 
+#include "foundation/statistics.h"
 #include "measurement/series/course.h"
 #include "measurement/series/known_readings.h"
 

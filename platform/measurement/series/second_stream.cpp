@@ -1,5 +1,6 @@
 #include "measurement/series/second_stream.h"
 
+#include "foundation/statistics.h"
 #include "measurement/series/course.h"
 #include "measurement/series/known_readings.h"
 #include "measurement/series/two_courses.h"

@@ -1,5 +1,6 @@
 #include "measurement/series/wrap_guess.h"
 
+#include "foundation/statistics.h"
 #include "measurement/series/known_readings.h"
 
 #include <Eigen/QR>
@@ -108,11 +109,7 @@ Eigen::VectorXd piece(const std::vector<double>& values, std::size_t first, std:
          values[first];
 }
 
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double middle_of(std::vector<double> values) { return median_of(values); }
 
 /// By windows of one shape that do not overlap, at jumps.
 std::vector<Estimate> estimates_at_jumps(std::span<const Counted> files, const WindowShape& shape) {

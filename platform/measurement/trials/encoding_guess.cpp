@@ -1,5 +1,6 @@
 #include "measurement/trials/encoding_guess.h"
 
+#include "foundation/statistics.h"
 #include "measurement/cells/decode.h"
 #include "measurement/series/wrap_guess.h"
 
@@ -52,9 +53,7 @@ double usual_change(const std::vector<Change>& changes, double jump) {
   for (const Change& change : changes)
     if (change.size < 0.5 * jump) usual.push_back(change.size);
   if (usual.empty()) return 1.0;
-  const auto at = usual.begin() + static_cast<std::ptrdiff_t>(kUsual * static_cast<double>(usual.size() - 1));
-  std::nth_element(usual.begin(), at, usual.end());
-  return std::max(*at, 1.0);
+  return std::max(quantile_of(usual, kUsual), 1.0);
 }
 
 /// Whether the column takes several values on either side of what parts them: a single zero before the first reading,

@@ -1,5 +1,6 @@
 #include "report/figures/diagnosis_pictures.h"
 
+#include "foundation/statistics.h"
 #include "report/figures/figure.h"
 #include "report/figures/file_name.h"
 #include "report/text/diagnosis_text.h"
@@ -16,7 +17,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double k95 = 1.96;             // standard errors
 constexpr std::size_t kMostRanked = 12;  // bars
 constexpr double kBar = 0.5;             // of the distance between bars
 
@@ -24,8 +24,8 @@ void add_curve(const ForceCurve& curve, const std::string& label, const char* co
   Series band{"", Mark::band, colour, curve.at, {}, {}},
       force{label, Mark::line_points, colour, curve.at, curve.force, {}};
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
-    band.y.push_back(curve.force[i] - k95 * curve.standard_error[i]);
-    band.y2.push_back(curve.force[i] + k95 * curve.standard_error[i]);
+    band.y.push_back(curve.force[i] - kWithin95 * curve.standard_error[i]);
+    band.y2.push_back(curve.force[i] + kWithin95 * curve.standard_error[i]);
   }
   panel.series.push_back(std::move(band));
   panel.series.push_back(std::move(force));

@@ -1,6 +1,6 @@
 #include "report/figures/spread.h"
 
-#include <boost/math/distributions/students_t.hpp>
+#include "foundation/statistics.h"
 
 #include <cmath>
 #include <limits>
@@ -22,7 +22,7 @@ Spread spread_of(const std::vector<double>& values) {
   spread.half_width = std::numeric_limits<double>::infinity();
   if (spread.count < 2) return spread;
   spread.deviation = std::sqrt(squares / (count - 1.0));
-  const double t = boost::math::quantile(boost::math::students_t(count - 1.0), 0.975);
+  const double t = within_95_of_students_t(count - 1.0);
   spread.half_width = t * spread.deviation / std::sqrt(count);
   return spread;
 }

@@ -1,5 +1,6 @@
 #include "report/text/diagnosis_text.h"
 
+#include "foundation/statistics.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/figure_text.h"
 #include "foundation/text/shell_word.h"
@@ -28,7 +29,7 @@ std::string parameter_text(const FoundParameter& one) {
 }
 
 std::string gain_text(const Gain& gain) {
-  return fmt::format("{:+.0f} ± {:.0f}", gain.value, 1.96 * gain.standard_error);
+  return fmt::format("{:+.0f} ± {:.0f}", gain.value, kWithin95 * gain.standard_error);
 }
 
 /// By how much the mean error where it was not fitted differs, from one end of the interval to the other.

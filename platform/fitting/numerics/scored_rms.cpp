@@ -1,19 +1,9 @@
-#include "fitting/numerics/rms_of_parts.h"
+#include "fitting/numerics/scored_rms.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace lacuna {
-
-double rms_of_parts(const std::vector<Eigen::VectorXd>& parts) {
-  double squares = 0.0, count = 0.0;
-  for (const Eigen::VectorXd& part : parts) {
-    squares += part.squaredNorm();
-    count += static_cast<double>(part.size());
-  }
-  return std::sqrt(squares / std::max(count, 1.0));
-}
 
 double scored_rms(const TimeSeries::Samples& residuals, Eigen::Index channel, Eigen::Index first_scored) {
   double squares = 0.0, count = 0.0;
