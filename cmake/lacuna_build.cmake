@@ -3,6 +3,8 @@
 option(LACUNA_TESTS "Build tests, benchmarks and generators" ON)
 option(LACUNA_FUZZ "Build the fuzz targets (clang)" OFF)
 option(LACUNA_UNITY "Compile the sources of large targets together: a quarter of the time for all of them, more for one" ON)
+set(LACUNA_BATCH_OF_FOLDER "" CACHE STRING
+  "Compile at most so many sources together, all of one folder: for who edits, as in the preset dev (default: 48 of any folder)")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -37,9 +39,27 @@ add_dependencies(short_tests all_plugins)
 # Compiles the sources of a large target up to 48 at a time. Names in their anonymous namespaces must differ; where tests
 # would all have a `kMass`, each has a namespace of its own file's name.
 function(lacuna_compile_together target)
-  if(LACUNA_UNITY)
+  if(NOT LACUNA_UNITY)
+    return()
+  elseif(LACUNA_BATCH_OF_FOLDER)
+    lacuna_batch_by_folder(${target})
+  else()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 48)
   endif()
+endfunction()
+
+# Batches of LACUNA_BATCH_OF_FOLDER neighbours in the list of sources, so that an edit compiles little else.
+function(lacuna_batch_by_folder target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder "${source}" DIRECTORY)
+    string(MAKE_C_IDENTIFIER "at_${folder}" folder)
+    list(APPEND ${folder} "${source}")
+    list(LENGTH ${folder} count)
+    math(EXPR batch "(${count} - 1) / ${LACUNA_BATCH_OF_FOLDER}")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${target}_${folder}_${batch}")
+  endforeach()
 endfunction()
 
 # What is compiled quickly rather than to be quick.
