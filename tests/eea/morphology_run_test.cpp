@@ -1,6 +1,5 @@
 #include "eea/same_rows.h"
 #include "eea/small_run.h"
-#include "report/figures/shape_study.h"
 #include "support/small_shape.h"
 #include "support/target_genome.h"
 
@@ -14,8 +13,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr double kRoundedAway = 1e-9;  // of ranges after 20 steps, where two robots differ by rounding
-
-constexpr std::size_t kFrontRow = 6, kArmRow = 18, kRoll = 3, kTurn = 4;
 
 ScoredTrial trial_of(const EeaBench& bench, const MemoryJournal& journal, std::size_t number) {
   const EeaDefinition& definition = bench.definition();
@@ -84,16 +81,6 @@ TEST(MorphologyRun, ModelsThatCannotDifferAreSimulatedOnce) {
   ASSERT_EQ(a.models.size(), b.models.size());
   for (std::size_t i = 0; i < a.models.size(); ++i) EXPECT_TRUE(same(a.models[i].score, b.models[i].score)) << i;
   EXPECT_GT(a.passes[0].reused, 10U) << "a mutation often leaves the robot what it was";
-}
-
-TEST(MorphologyRun, TheTargetStartsNoDeeperThanItself) {
-  const auto bench = small_bench({}, kSmallShape);
-  const RobotSpec& target = bench->target()->structure.robot;
-  Genome genome = five_cylinders_genome();
-  EXPECT_FALSE(starts_below(*bench->definition().decode_model(genome).robot, target));
-  genome[kFrontRow + kRoll] = 0.5, genome[kFrontRow + kTurn] = 0.5;  // up, and the arm down from its tail
-  genome[kArmRow] = 0.4, genome[kArmRow + 1] = 0.0, genome[kArmRow + kRoll] = 0.0, genome[kArmRow + kTurn] = 1.0;
-  EXPECT_TRUE(starts_below(*bench->definition().decode_model(genome).robot, target));
 }
 
 /// What a bench says of an experiment that cannot be run.

@@ -143,7 +143,7 @@ TEST_F(HostileNames, InADatabaseArePrintedOnOneLineWithoutControlCharacters) {
   for (const std::string command :
        {"runs small.db", "curves small.db --out c", "curves small.db --against no --out c", "hash small.db",
         "plot small.db --out p", "sql small.db 'SELECT name FROM experiment'", "replay small.db --trial 1",
-        "reproduce small.db", "shapes small.db --out s", "report small.db --out r.html"}) {
+        "reproduce small.db", "report small.db --out r.html"}) {
     const Outcome outcome = program_.shell("lacuna " + command);
     EXPECT_THAT(outcome.output + outcome.errors, Not(HasSubstr("\x1b"))) << command;
     EXPECT_THAT("\n" + outcome.output, Not(HasSubstr("\nforged"))) << command;

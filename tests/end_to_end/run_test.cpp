@@ -285,65 +285,16 @@ TEST_F(Run, DrawsItsPictures) {
     EXPECT_THAT(program_.read("pictures/" + std::string(name) + ".svg"), HasSubstr("<svg")) << name;
 }
 
-/// Models that bring a robot of their own: run, drawn, simulated again.
-TEST_F(Run, FindsShapesAndDrawsThem) {
+/// Models that bring a robot of their own: run, simulated again.
+TEST_F(Run, FindsShapes) {
   program_.write("shape.toml", kSmallShape);
   const Outcome run = program_.run({"run", "shape.toml", "--replicates", "2", "--db", "shape.db"});
   ASSERT_EQ(run.exit_code, kDone) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("→ lacuna shapes shape.db"));
-  const Outcome shapes = program_.run({"shapes", "shape.db", "--out", "pictures"});
-  ASSERT_EQ(shapes.exit_code, kDone) << shapes.errors;
-  EXPECT_THAT(shapes.output, HasSubstr("small_shape     2"));
-  for (const char* name : {"shape_errors", "shape_progress", "shape_models"})
-    EXPECT_THAT(program_.read("pictures/" + std::string(name) + ".svg"), HasSubstr("<svg")) << name;
-  EXPECT_THAT(program_.read("pictures/shape_models.svg"), HasSubstr("target"));
+  EXPECT_THAT(run.output, HasSubstr("→ lacuna plot shape.db"));
   const Outcome replay = program_.run({"replay", "shape.db", "--run", "2"});
   EXPECT_EQ(replay.exit_code, kDone) << replay.errors;
   const Outcome reproduced = program_.run({"reproduce", "shape.db", "--run", "1", "--threads", "3"});
   EXPECT_EQ(reproduced.exit_code, kDone) << reproduced.errors;
-  const Outcome other = program_.run({"shapes", "shape.db", "--experiment", "small_shap"});
-  EXPECT_EQ(other.exit_code, kBadInput);
-  EXPECT_THAT(other.errors, HasSubstr("did you mean \"small_shape\"?"));
-}
-
-TEST_F(Run, LeavesRunsThatHaveNotEndedOutOfShapes) {
-  program_.write("shape.toml", kSmallShape);
-  ASSERT_EQ(program_.run({"run", "shape.toml", "--replicates", "3", "--db", "shape.db"}).exit_code, kDone);
-  const auto end_as = [&](const std::string& ending, const std::string& runs) {
-    return program_.shell("sqlite3 shape.db \"UPDATE run SET ending = " + ending + " WHERE number " + runs + "\"");
-  };
-  ASSERT_EQ(end_as("'interrupted'", "= 2").exit_code, 0);
-  ASSERT_EQ(end_as("NULL", "= 3").exit_code, 0);
-  const Outcome shapes = program_.run({"shapes", "shape.db"});
-  ASSERT_EQ(shapes.exit_code, kDone) << shapes.errors;
-  EXPECT_THAT(shapes.output, ContainsRegex("small_shape +1 "));
-  EXPECT_THAT(shapes.errors, HasSubstr("small_shape: 2 runs left out, not ended; lacuna run FILE --resume"));
-  ASSERT_EQ(end_as("'failed'", "= 1").exit_code, 0);
-  const Outcome named = program_.run({"shapes", "shape.db", "--experiment", "small_shape"});
-  EXPECT_EQ(named.exit_code, kBadInput);
-  EXPECT_THAT(named.errors, HasSubstr("no run of small_shape has ended"));
-  EXPECT_THAT(program_.run({"shapes", "shape.db"}).errors, HasSubstr("has no run that has ended"));
-}
-
-TEST_F(Run, DrawsNoShapesOfRunsThatHaveNone) {
-  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
-  const Outcome outcome = program_.run({"shapes", "small.db"});
-  EXPECT_EQ(outcome.exit_code, kBadInput);
-  EXPECT_THAT(outcome.errors, HasSubstr("estimation.objective = \"part_distance\""));
-}
-
-/// Unless they are asked for.
-TEST_F(Run, PassesRunsWithoutShapesOverBesideOthers) {
-  program_.write("small_shape.toml", kSmallShape);
-  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "both.db"}).exit_code, kDone);
-  ASSERT_EQ(program_.run({"run", "small_shape.toml", "--db", "both.db"}).exit_code, kDone);
-  const Outcome all = program_.run({"shapes", "both.db"});
-  EXPECT_EQ(all.exit_code, kDone) << all.errors;
-  EXPECT_THAT(all.output, ContainsRegex("small_shape +1 "));
-  EXPECT_THAT(all.output, Not(ContainsRegex("small +1 ")));
-  const Outcome named = program_.run({"shapes", "both.db", "--experiment", "small"});
-  EXPECT_EQ(named.exit_code, kBadInput);
-  EXPECT_THAT(named.errors, HasSubstr("the runs of small do not say"));
 }
 
 }  // namespace

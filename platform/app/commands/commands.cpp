@@ -114,7 +114,6 @@ int run_program(int argc, char** argv) try {
   add_predict_command(program);
   add_plot_command(program);
   add_curves_command(program);
-  add_shapes_command(program);
   add_replay_command(program);
   add_reproduce_command(program);
   add_hash_command(program);

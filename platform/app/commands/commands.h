@@ -24,7 +24,6 @@ void add_runs_command(CLI::App& program);
 void add_predict_command(CLI::App& program);
 void add_plot_command(CLI::App& program);
 void add_curves_command(CLI::App& program);
-void add_shapes_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
 void add_reproduce_command(CLI::App& program);
 void add_hash_command(CLI::App& program);

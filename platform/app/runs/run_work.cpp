@@ -1,7 +1,6 @@
 #include "app/runs/run_work.h"
 
 #include "app/runs/replicates.h"
-#include "app/runs/shape_reading.h"
 #include "app/runs/worker_setup.h"
 #include "app/terminal/output.h"
 #include "app/terminal/progress_line.h"
@@ -102,13 +101,6 @@ std::string options_to_go_on(const std::vector<ReplicateEnd>& ends, const RunOpt
   return more;
 }
 
-/// The command that draws what was found.
-const char* drawing_command(const std::vector<ReplicateEnd>& ends, const EeaBench& bench) {
-  const bool done =
-      std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return end.ending == RunEnding::done; });
-  return done && speaks_of_parts(bench) ? "shapes" : "plot";
-}
-
 void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, Database& database) {
   if (ends.size() == 1) {
     std::mutex unused;
@@ -120,9 +112,9 @@ void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, 
 }
 
 /// What to type next. The database of a task moves to its plan.
-void print_next(const std::vector<ReplicateEnd>& ends, const Database& database, const EeaBench& bench) {
+void print_next(const std::vector<ReplicateEnd>& ends, const Database& database) {
   if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return !end.passes.empty(); }))
-    fmt::print("→ lacuna {} {}\n", drawing_command(ends, bench), shell_word(database.file().string()));
+    fmt::print("→ lacuna plot {}\n", shell_word(database.file().string()));
 }
 
 /// What was asked for and is not done, in sentences.
@@ -179,7 +171,7 @@ void carry_out_run(const RunOptions& options) {
   check_kept(ends, database);
   if (!takes_standard_output(options.json)) {
     print_ends(ends, plan.experiment, database);
-    if (options.task.empty()) print_next(ends, database, bench);
+    if (options.task.empty()) print_next(ends, database);
   }
   judge(ends, command_line() + options_to_go_on(ends, options, bench));
   lines.throw_if_failed();

@@ -1,4 +1,4 @@
-#include "report/figures/shape_study.h"
+#include "shapes/shape_study.h"
 
 #include "foundation/unit.h"
 #include "report/figures/spread.h"

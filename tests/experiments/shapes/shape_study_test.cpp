@@ -1,7 +1,7 @@
-#include "report/figures/shape_study.h"
+#include "shapes/shape_study.h"
 
 #include "report/figures/robot_drawing.h"
-#include "report/figures/trilateration.h"
+#include "shapes/trilateration.h"
 #include "support/test_folder.h"
 
 #include <lacuna/error.h>

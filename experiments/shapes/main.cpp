@@ -1,10 +1,11 @@
-#include "app/commands/commands.h"
-#include "app/runs/shape_reading.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"
-#include "foundation/text/counted.h"
-#include "foundation/text/problem.h"
+#include "command_line/usage_error.h"
+#include "foundation/counted.h"
+#include "foundation/interrupt.h"
+#include "foundation/problem.h"
+#include "shapes/shape_reading.h"
 #include "storage/files/log_left.h"
 
 #include <CLI/CLI.hpp>
@@ -12,13 +13,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <utility>
 
+/// What runs found of a robot's shape: README.md beside it.
 namespace lacuna {
 namespace {
+
+enum ExitCode { kDone = 0, kFailed = 1, kBadInput = 2, kInterrupted = 75 };
 
 constexpr const char* kNoShapes =
     "do not say how far parts are from the target's; give the experiment a simulated target and "
@@ -107,23 +111,49 @@ void shapes(const ShapesOptions& options) {
   for (const std::filesystem::path& file : {errors, progress, models}) fmt::print("{}\n", file.string());
 }
 
-}  // namespace
-
-void add_shapes_command(CLI::App& program) {
-  auto options = std::make_shared<ShapesOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("shapes", "Table and SVG pictures of what runs found of a robot's shape");
-  add_database_argument(*command, options->database);
-  command
-      ->add_option("--experiment", options->experiments,
-                   "Experiments to put side by side (default: all of the database); may be given "
-                   "several times")
+void add_options(CLI::App& program, ShapesOptions& options) {
+  add_database_argument(program, options.database);
+  program
+      .add_option("--experiment", options.experiments,
+                  "Experiments to put side by side (default: all of the database); may be given several times")
       ->allow_extra_args(false)
       ->option_text("NAME");
-  command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
-  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+  program.add_option("--out", options.folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
+  program.add_option("--plugin-path", options.plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)
       ->option_text("FOLDER");
-  command->callback([options] { shapes(*options); });
+  program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
 }
 
+int told(const std::exception& error, int code) {
+  fmt::print(stderr, "{}\n", error.what());
+  return code;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App program("Table and SVG pictures of what runs found of a robot's shape", "lacuna-shapes");
+  ShapesOptions options;
+  add_options(program, options);
+  watch_for_interrupts();
+  try {
+    program.parse(argc, argv);
+    shapes(options);
+    return kDone;
+  } catch (const CLI::Success& help) {
+    return program.exit(help) == 0 ? kDone : kFailed;
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "{}\n", usage_sentence(program, error, argc, argv));
+    return kBadInput;
+  } catch (const BadInput& error) {
+    return told(error, kBadInput);
+  } catch (const Interrupted& error) {
+    return told(error, kInterrupted);
+  } catch (const std::exception& error) {
+    return told(error, kFailed);
+  }
+}
+
+}  // namespace
 }  // namespace lacuna
+
+int main(int argc, char** argv) { return lacuna::run_program(argc, argv); }

@@ -1,7 +1,7 @@
-#include "app/runs/shape_reading.h"
+#include "shapes/shape_reading.h"
 
 #include "app/runs/stored_bench.h"
-#include "report/figures/trilateration.h"
+#include "shapes/trilateration.h"
 
 #include <fmt/format.h>
 
@@ -120,12 +120,14 @@ class ShapeReading {
   ShapeStudy study_;
 };
 
-}  // namespace
-
+/// Whether its runs say how far parts are from the target's: a simulated target, and the objective metric
+/// `part_distance`.
 bool speaks_of_parts(const EeaBench& bench) {
   const std::optional<Chosen<ObjectiveMetric>>& objective = bench.definition().objective;
   return objective && objective->origin.name == "part_distance" && bench.target();
 }
+
+}  // namespace
 
 std::optional<ShapeStudy> read_shape_study(Database& database, const std::vector<EeaRunListing>& runs,
                                            const std::vector<std::filesystem::path>& plugin_paths) {

@@ -1,4 +1,4 @@
-#include "report/figures/trilateration.h"
+#include "shapes/trilateration.h"
 
 #include <Eigen/QR>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/runs/eea_bench.h"
-#include "report/figures/shape_study.h"
+#include "shapes/shape_study.h"
 #include "storage/eea/eea_store.h"
 
 #include <filesystem>
@@ -9,10 +9,6 @@
 #include <vector>
 
 namespace lacuna {
-
-/// Whether its runs say how far parts are from the target's: a simulated target, and the objective metric
-/// `part_distance`.
-bool speaks_of_parts(const EeaBench& bench);
 
 /// Reads what replicates of one experiment found of a robot's shape; decodes and judges stored models again where the
 /// database has genomes only. Nothing where the experiment does not speak of parts. Throws `BadInput` where they cannot
