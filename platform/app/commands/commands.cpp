@@ -98,47 +98,28 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-}  // namespace
+using AddCommand = void (*)(CLI::App&);
 
-int run_program(int argc, char** argv) try {
-  CLI::App program("Finds what a robot model is missing.", "lacuna");
+/// In the order of the help.
+constexpr AddCommand kCommands[] = {
+    add_check_command,   add_new_command,    add_trial_command,   add_run_command,      add_runs_command,
+    add_predict_command, add_plot_command,   add_curves_command,  add_replay_command,   add_reproduce_command,
+    add_hash_command,    add_fit_command,    add_compare_command, add_diagnose_command, add_add_command,
+    add_undo_command,    add_export_command, add_history_command, add_plugins_command,  add_plan_command,
+    add_task_command,    add_status_command, add_merge_command,   add_backup_command,   add_verify_command,
+    add_sql_command,     add_report_command, add_serve_command,   add_mcp_command,      add_completion_command,
+    add_man_command,     add_help_command};
+
+void add_commands(CLI::App& program) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());
   program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
-  add_check_command(program);
-  add_new_command(program);
-  add_trial_command(program);
-  add_run_command(program);
-  add_runs_command(program);
-  add_predict_command(program);
-  add_plot_command(program);
-  add_curves_command(program);
-  add_replay_command(program);
-  add_reproduce_command(program);
-  add_hash_command(program);
-  add_fit_command(program);
-  add_compare_command(program);
-  add_diagnose_command(program);
-  add_add_command(program);
-  add_undo_command(program);
-  add_export_command(program);
-  add_history_command(program);
-  add_plugins_command(program);
-  add_plan_command(program);
-  add_task_command(program);
-  add_status_command(program);
-  add_merge_command(program);
-  add_backup_command(program);
-  add_verify_command(program);
-  add_sql_command(program);
-  add_report_command(program);
-  add_serve_command(program);
-  add_mcp_command(program);
-  add_completion_command(program);
-  add_man_command(program);
-  add_help_command(program);
+  for (const AddCommand add : kCommands) add(program);
+}
 
+/// What holds for the whole process, and not for one command.
+void prepare_process(int argc, char** argv) {
   load_unwinder();
   set_end_without_memory(&end_without_memory);
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
@@ -147,29 +128,40 @@ int run_program(int argc, char** argv) try {
   forget_command_files();
   watch_for_interrupts();
   begin_evaluation_limit();
-  try {
-    messages_are_json();  // complains of LACUNA_MESSAGES before any work is done
-    enter_file_sandbox();
-    prepare_limits();
-    dense_kernels();  // complains of LACUNA_KERNELS before any work is done
-    program.parse(argc, argv);
-    return end_of_output();
-  } catch (const CLI::Success& help_or_version) {
-    return program.exit(help_or_version) == 0 ? end_of_output() : kFailed;
-  } catch (const CLI::ParseError& error) {
-    return complain(BadInput(std::vector<Problem>{{{}, usage_sentence(program, error, argc, argv)}}), kBadInput);
-  } catch (const BadInput& error) {
-    return complain(error, kBadInput);
-  } catch (const Interrupted& error) {
-    return complain(error, kInterrupted);
-  } catch (const std::bad_alloc&) {
-    return say_no_memory();
-  } catch (const std::filesystem::filesystem_error& error) {
-    const std::string what = plain_text(error.path1().string()) + ": " + error.code().message();
-    return complain(Error(what + "; check the name and the permissions"), kFailed);
-  } catch (const std::exception& error) {
-    return complain(Error(failure_sentence(error)), kFailed);
-  }
+}
+
+/// Its exit code.
+int parse_and_run(CLI::App& program, int argc, char** argv) try {
+  messages_are_json();  // complains of LACUNA_MESSAGES before any work is done
+  enter_file_sandbox();
+  prepare_limits();
+  dense_kernels();  // complains of LACUNA_KERNELS before any work is done
+  program.parse(argc, argv);
+  return end_of_output();
+} catch (const CLI::Success& help_or_version) {
+  return program.exit(help_or_version) == 0 ? end_of_output() : kFailed;
+} catch (const CLI::ParseError& error) {
+  return complain(BadInput(std::vector<Problem>{{{}, usage_sentence(program, error, argc, argv)}}), kBadInput);
+} catch (const BadInput& error) {
+  return complain(error, kBadInput);
+} catch (const Interrupted& error) {
+  return complain(error, kInterrupted);
+} catch (const std::bad_alloc&) {
+  return say_no_memory();
+} catch (const std::filesystem::filesystem_error& error) {
+  const std::string what = plain_text(error.path1().string()) + ": " + error.code().message();
+  return complain(Error(what + "; check the name and the permissions"), kFailed);
+} catch (const std::exception& error) {
+  return complain(Error(failure_sentence(error)), kFailed);
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) try {
+  CLI::App program("Finds what a robot model is missing.", "lacuna");
+  add_commands(program);
+  prepare_process(argc, argv);
+  return parse_and_run(program, argc, argv);
 } catch (const std::bad_alloc&) {  // while that was said
   return say_no_memory();
 }
