@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -59,21 +60,23 @@ void check_program(const ReproduceOptions& options, const StoredBench& stored) {
                             stored.listing.run.value, line, command_line()));
 }
 
-void reproduce(const ReproduceOptions& options) {
-  const LogLeft log(options.database);
-  Database database = Database::open_read_only(options.database);
-  const EeaRunListing listing = choose_run(database, options.run);
+EeaRunListing run_to_repeat(const Database& database, const ReproduceOptions& options) {
+  EeaRunListing listing = choose_run(database, options.run);
   if (listing.ending != "done")
     throw_problem({options.database.string()},
                   fmt::format("run {} is not done ({}); only a run that is can be compared with another",
                               listing.run.value, listing.ending));
-  const StoredBench stored = open_stored(database, listing, options.plugin_paths,
-                                         options.trust ? StoredProgram::trusted : StoredProgram::refused);
-  check_program(options, stored);
-  for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
+  return listing;
+}
 
-  const ScratchFolder scratch;
-  Database again = Database::open(scratch / "again.db");
+/// A run that was carried out again, in a database of its own.
+struct Repetition {
+  RunId run;
+  ReplicateEnd end;
+};
+
+Repetition repeat(const StoredBench& stored, const EeaRunListing& listing, Database& again,
+                  const ReproduceOptions& options) {
   ResultStore store(again);
   const int threads = options.threads > 0 ? options.threads : default_threads();
   const RunId run = store.begin_run({command_line(), stored.run.seed, threads}, provenance_of_this_program());
@@ -82,17 +85,31 @@ void reproduce(const ReproduceOptions& options) {
   const std::vector<PlannedReplicate> planned = {{run, listing.replicate, stored.run.seed}};
   Replicates replicates(*stored.bench, again, experiment);
   replicates.enter(planned);
-  std::vector<ReplicateEnd> ends;
-  {
-    RunDisplay display(planned, options.quiet, nullptr);
-    ends = replicates.run(planned, threads, display);
-  }
-  const ReplicateEnd& end = ends.front();
+  RunDisplay display(planned, options.quiet, nullptr);
+  return {run, std::move(replicates.run(planned, threads, display).front())};
+}
+
+void check_ended(const ReplicateEnd& end, const EeaRunListing& listing) {
   if (end.ending == RunEnding::interrupted)
     throw Interrupted("interrupted; run " + std::to_string(listing.run.value) +
                       " is as it was, and nothing is kept of its repetition");
   if (end.ending == RunEnding::failed) throw Error(end.problem);
-  const std::string was = content_hash(database, listing.run), is = content_hash(again, run);
+}
+
+void reproduce(const ReproduceOptions& options) {
+  const LogLeft log(options.database);
+  Database database = Database::open_read_only(options.database);
+  const EeaRunListing listing = run_to_repeat(database, options);
+  const StoredBench stored = open_stored(database, listing, options.plugin_paths,
+                                         options.trust ? StoredProgram::trusted : StoredProgram::refused);
+  check_program(options, stored);
+  for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
+
+  const ScratchFolder scratch;
+  Database again = Database::open(scratch / "again.db");
+  const Repetition repetition = repeat(stored, listing, again, options);
+  check_ended(repetition.end, listing);
+  const std::string was = content_hash(database, listing.run), is = content_hash(again, repetition.run);
   fmt::print("stored      {}\nreproduced  {}\n", was, is);
   if (was == is) {
     fmt::print("run {} is reproduced: every row is the same\n", listing.run.value);
@@ -100,7 +117,8 @@ void reproduce(const ReproduceOptions& options) {
   }
   std::mutex unused;
   const std::vector<PassRow> passes = EeaStore(database, unused, listing.run, {}).passes();
-  throw Error(fmt::format("run {} is not reproduced: {}", listing.run.value, first_difference(passes, end.passes)));
+  throw Error(
+      fmt::format("run {} is not reproduced: {}", listing.run.value, first_difference(passes, repetition.end.passes)));
 }
 
 }  // namespace
