@@ -7,8 +7,15 @@ namespace lacuna::articulated {
 namespace {
 
 constexpr int kMostTrials = 60;
-constexpr double kLocated = 4e-16;     ///< of the step, which is never shorter, or of the distance at its start
-constexpr double kSameMoment = 1e-12;  ///< of the way to an event, within which another one comes with it
+constexpr double kLocated = 1e-10;    ///< of the step, which is never shorter, or of the distance at its start
+constexpr double kSameMoment = 1e-8;  ///< of the way to an event, within which another one comes with it
+constexpr double kTold = 1e-12;       ///< of the fastest velocity: a step tells no smaller ones
+
+double fastest(const Motion& motion) {
+  double fastest = 0.0;
+  for (const double velocity : motion.velocities) fastest = std::max(fastest, std::abs(velocity));
+  return fastest;
+}
 
 }  // namespace
 
@@ -53,7 +60,8 @@ std::optional<Event> EventSearch::earliest(const Setting& setting) const {
 double EventSearch::locate(const Event& event, const Setting& setting, double length) {
   double low = 0.0, high = length, length_now = length;
   double at_low = distance(event, setting.from, setting.from), at_high = distance(event, setting.from, step_.after());
-  const double small = kLocated * at_low;
+  const double told = kTold * fastest(setting.from) * (event.kind == EventKind::rests ? 1.0 : length);
+  const double small = std::max(kLocated * at_low, told);
   for (int trial = 0; trial < kMostTrials && high - low > kLocated * length; ++trial) {
     length_now = std::max(high - at_high * (high - low) / (at_high - at_low), kLocated * length);
     take(setting, length_now);
