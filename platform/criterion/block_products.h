@@ -27,16 +27,21 @@ struct CellLayout {
 /// what a unit of each value adds to the prediction; both over the standard deviation that a right model leaves.
 class BlockProducts {
  public:
+  using Product = Eigen::Map<Eigen::MatrixXd>;
+  using ConstProduct = Eigen::Map<const Eigen::MatrixXd>;
+
   BlockProducts() = default;
   BlockProducts(const CellLayout& layout, Eigen::Index values)
       : blocks_(layout.blocks()),
         values_(values),
-        products_(layout.cells.size() * blocks_, Eigen::MatrixXd::Zero(values + 1, values + 1)),
+        products_(layout.cells.size() * blocks_ * size_of_product(), 0.0),
         samples_(layout.cells.size() * blocks_, 0.0) {}
 
   Eigen::Index values() const { return values_; }
-  Eigen::MatrixXd& at(std::size_t cell, std::size_t block) { return products_[cell * blocks_ + block]; }
-  const Eigen::MatrixXd& at(std::size_t cell, std::size_t block) const { return products_[cell * blocks_ + block]; }
+  Product at(std::size_t cell, std::size_t block) { return {&products_[place(cell, block)], values_ + 1, values_ + 1}; }
+  ConstProduct at(std::size_t cell, std::size_t block) const {
+    return {&products_[place(cell, block)], values_ + 1, values_ + 1};
+  }
   /// Of these values alone.
   BlockProducts part(const std::vector<Eigen::Index>& values) const {
     std::vector<Eigen::Index> rows = {0};
@@ -45,17 +50,21 @@ class BlockProducts {
     some.blocks_ = blocks_;
     some.values_ = static_cast<Eigen::Index>(values.size());
     some.samples_ = samples_;
-    for (const Eigen::MatrixXd& product : products_) some.products_.emplace_back(product(rows, rows));
+    some.products_.resize(samples_.size() * some.size_of_product());
+    for (std::size_t i = 0; i < samples_.size(); ++i) some.at(0, i) = at(0, i)(rows, rows);
     return some;
   }
   double& samples(std::size_t cell, std::size_t block) { return samples_[cell * blocks_ + block]; }
   double samples(std::size_t cell, std::size_t block) const { return samples_[cell * blocks_ + block]; }
 
  private:
+  std::size_t size_of_product() const { return static_cast<std::size_t>((values_ + 1) * (values_ + 1)); }
+  std::size_t place(std::size_t cell, std::size_t block) const { return (cell * blocks_ + block) * size_of_product(); }
+
   std::size_t blocks_ = 0;
   Eigen::Index values_ = 0;
-  std::vector<Eigen::MatrixXd> products_;
-  std::vector<double> samples_;  ///< readings
+  std::vector<double> products_;  ///< one matrix behind the other
+  std::vector<double> samples_;   ///< readings
 };
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -18,20 +19,52 @@ double samples_of(const CellLayout& layout, const BlockProducts& products, std::
   return sum;
 }
 
-double quadratic(const Eigen::MatrixXd& product, const Eigen::VectorXd& step) {
+double quadratic(const Eigen::Ref<const Eigen::MatrixXd>& product, const Eigen::VectorXd& step) {
   const Eigen::Index n = step.size();
   return product(0, 0) - 2.0 * product.col(0).tail(n).dot(step) + step.dot(product.bottomRightCorner(n, n) * step);
 }
 
-/// Σ weight × products of all blocks but those of a fold.
-Eigen::MatrixXd weighted_sum(const CellLayout& layout, const BlockProducts& products, const Eigen::VectorXd& weights,
-                             std::size_t left_out) {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(products.values() + 1, products.values() + 1);
+/// Products of each cell, summed over all blocks.
+std::vector<Eigen::MatrixXd> sums_over_blocks(const CellLayout& layout, const BlockProducts& products) {
+  const Eigen::Index size = products.values() + 1;
+  std::vector<Eigen::MatrixXd> sums(layout.cells.size(), Eigen::MatrixXd::Zero(size, size));
+  for (std::size_t c = 0; c < layout.cells.size(); ++c)
+    for (std::size_t b = 0; b < layout.blocks(); ++b) sums[c] += products.at(c, b);
+  return sums;
+}
+
+/// Σ weight × product over cells.
+Eigen::MatrixXd weighted_sum(const std::vector<Eigen::MatrixXd>& sums, const Eigen::VectorXd& weights,
+                             Eigen::Index values) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(values + 1, values + 1);
+  for (std::size_t c = 0; c < sums.size(); ++c)
+    if (const double weight = weights(static_cast<Eigen::Index>(c)); weight > 0.0) sum += weight * sums[c];
+  return sum;
+}
+
+/// By fold, Σ weight × product over cells and the blocks of this fold.
+std::vector<Eigen::MatrixXd> weighted_folds(const CellLayout& layout, const BlockProducts& products,
+                                            const Eigen::VectorXd& weights) {
+  const Eigen::Index size = products.values() + 1;
+  std::vector<Eigen::MatrixXd> folds(layout.folds, Eigen::MatrixXd::Zero(size, size));
   for (std::size_t c = 0; c < layout.cells.size(); ++c)
     for (std::size_t b = 0; b < layout.blocks(); ++b)
-      if (layout.fold_of_block[b] != left_out && weights(static_cast<Eigen::Index>(c)) > 0.0)
-        sum += weights(static_cast<Eigen::Index>(c)) * products.at(c, b);
-  return sum;
+      folds[layout.fold_of_block[b]] += weights(static_cast<Eigen::Index>(c)) * products.at(c, b);
+  return folds;
+}
+
+/// The cost of a step by what `sums_over_blocks` has.
+LinearCost cost_of_sums(const CellLayout& layout, const BlockProducts& products,
+                        const std::vector<Eigen::MatrixXd>& sums, const Eigen::VectorXd& step) {
+  LinearCost result{step, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(layout.cells.size())), 0.0};
+  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+    const double samples = samples_of(layout, products, c);
+    if (samples == 0.0) continue;
+    const double mean = std::max(0.0, quadratic(sums[c], step) / samples);
+    result.mean_square(static_cast<Eigen::Index>(c)) = mean;
+    result.cost += layout.cells[c].weight * cost_of_mean_square(mean);
+  }
+  return result;
 }
 
 /// The solution in the directions that the matrix, symmetric and scaled, tells; in the others the way home.
@@ -94,7 +127,6 @@ Eigen::VectorXd bounded_step(Eigen::MatrixXd normal, const StepBounds& bounds, d
 
 /// Of the whole data's normal equations, that every fold's others get: a value that they hardly tell does not run away.
 constexpr double kOfAll = 0.1;
-constexpr auto kNoFold = static_cast<std::size_t>(-1);
 
 }  // namespace
 
@@ -113,26 +145,17 @@ double cost_of_mean_square(double mean_square) {
 }
 
 LinearCost cost_at(const CellLayout& layout, const BlockProducts& products, const Eigen::VectorXd& step) {
-  LinearCost result{step, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(layout.cells.size())), 0.0};
-  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
-    const double samples = samples_of(layout, products, c);
-    if (samples == 0.0) continue;
-    double squares = 0.0;
-    for (std::size_t b = 0; b < layout.blocks(); ++b) squares += quadratic(products.at(c, b), step);
-    const double mean = std::max(0.0, squares / samples);
-    result.mean_square(static_cast<Eigen::Index>(c)) = mean;
-    result.cost += layout.cells[c].weight * cost_of_mean_square(mean);
-  }
-  return result;
+  return cost_of_sums(layout, products, sums_over_blocks(layout, products), step);
 }
 
 LinearCost least_cost(const CellLayout& layout, const BlockProducts& products, const StepBounds& bounds,
                       double damping) {
-  LinearCost best = cost_at(layout, products, Eigen::VectorXd::Zero(products.values()));
+  const std::vector<Eigen::MatrixXd> sums = sums_over_blocks(layout, products);
+  LinearCost best = cost_of_sums(layout, products, sums, Eigen::VectorXd::Zero(products.values()));
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::VectorXd weights = square_weights(layout, products, best.mean_square);
-    const Eigen::VectorXd step = bounded_step(weighted_sum(layout, products, weights, kNoFold), bounds, damping);
-    const LinearCost next = cost_at(layout, products, step);
+    const Eigen::VectorXd step = bounded_step(weighted_sum(sums, weights, products.values()), bounds, damping);
+    const LinearCost next = cost_of_sums(layout, products, sums, step);
     if (!(next.cost + bounds.cost_of_way(next.step) < best.cost + bounds.cost_of_way(best.step))) break;
     const bool is_settled = (step - best.step).lpNorm<Eigen::Infinity>() <= kSettled * step.lpNorm<Eigen::Infinity>();
     best = next;
@@ -144,13 +167,19 @@ LinearCost least_cost(const CellLayout& layout, const BlockProducts& products, c
 CrossFittedCost cross_fit(const CellLayout& layout, const BlockProducts& products, const StepBounds& bounds,
                           const LinearCost& fit, bool whole_steps) {
   const Eigen::VectorXd weights = square_weights(layout, products, fit.mean_square);
-  const Eigen::MatrixXd all = weighted_sum(layout, products, weights, kNoFold);
+  const std::vector<Eigen::MatrixXd> folds = weighted_folds(layout, products, weights);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(products.values() + 1, products.values() + 1);
+  for (const Eigen::MatrixXd& fold : folds) all += fold;
   Eigen::VectorXd from = Eigen::VectorXd::Zero(products.values());
   if (!whole_steps) from = bounded_step(all, bounds, 0.0);
   const double of_all = whole_steps ? 0.0 : kOfAll;
   std::vector<Eigen::VectorXd> steps;
-  for (std::size_t fold = 0; fold < layout.folds; ++fold)
-    steps.push_back(bounded_step(weighted_sum(layout, products, weights, fold) + of_all * all, bounds, 0.0) - from);
+  for (std::size_t fold = 0; fold < layout.folds; ++fold) {
+    Eigen::MatrixXd others = of_all * all;
+    for (std::size_t other = 0; other < layout.folds; ++other)
+      if (other != fold) others += folds[other];
+    steps.push_back(bounded_step(std::move(others), bounds, 0.0) - from);
+  }
   CrossFittedCost result;
   result.by_length =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.lengths), static_cast<Eigen::Index>(layout.blocks()));
@@ -173,8 +202,8 @@ CrossFittedCost cross_fit(const CellLayout& layout, const BlockProducts& product
 }
 
 Eigen::MatrixXd information(const CellLayout& layout, const BlockProducts& products, const LinearCost& fit) {
-  const Eigen::MatrixXd sum =
-      weighted_sum(layout, products, square_weights(layout, products, fit.mean_square), kNoFold);
+  const Eigen::MatrixXd sum = weighted_sum(sums_over_blocks(layout, products),
+                                           square_weights(layout, products, fit.mean_square), products.values());
   return sum.bottomRightCorner(products.values(), products.values());
 }
 

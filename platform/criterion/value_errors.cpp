@@ -19,7 +19,7 @@ Eigen::MatrixXd gradients(const CellLayout& layout, const BlockProducts& product
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(layout.blocks()));
   for (std::size_t c = 0; c < layout.cells.size(); ++c)
     for (std::size_t b = 0; b < layout.blocks(); ++b) {
-      const Eigen::MatrixXd& product = products.at(c, b);
+      const BlockProducts::ConstProduct product = products.at(c, b);
       all.col(static_cast<Eigen::Index>(b)) +=
           weights(static_cast<Eigen::Index>(c)) * (product.col(0).tail(n) - product.bottomRightCorner(n, n) * fit.step);
     }
