@@ -45,13 +45,14 @@ class Told {
   explicit Told(const SearchResult& found) : found_(found), base_(found.sets.front()), answer_(found.answer()) {
     if (found.stopped) return;
     const FittedModel& best = found.spread ? *found.spread : found.sets[found.decision.best];
-    law_ = lacking_ = residual_law(found, best);
+    law_ = lacking_ = ResidualLaws(found, best).best();
     if (!has_answer()) return;
-    const ResidualLaw instead = residual_law(found, base_, &best);
+    const ResidualLaws of_model(found, base_);
+    const ResidualLaw instead = of_model.best(&best);
     if (is_more_than_remainder(instead) && !(is_more_than_remainder(law_) && law_.share > instead.share))
       law_ = lacking_ = instead;
-    else if (ends_library())
-      lacking_ = of_model();
+    else if (ResidualLaw lacking; ends_library() && (lacking = of_model.best()).is_present)
+      lacking_ = std::move(lacking);
   }
 
   Diagnosis diagnosis() const {
@@ -67,7 +68,8 @@ class Told {
     result.verdict = verdict(result.base_times_floor);
     result.p_by_chance = found_.decision.p;
     result.values = FittedValues(found_, answer_).own();
-    for (const FittedModel* set : shown()) result.ranking.push_back(ranked(*set));
+    for (const FittedModel* set : shown())
+      result.ranking.push_back(ranked(*set, set == &answer_ ? of_answer : ErrorsByLength(*found_.data, *set)));
     tell_law(result);
     if (has_answer()) {
       result.ranking.front().look_alikes = look_alikes_of(found_);
@@ -86,11 +88,6 @@ class Told {
 
   /// Whether what no effect explains is more than a remainder beside an answer.
   bool ends_library() const { return has_answer() ? is_more_than_remainder(law_) : law_.is_present; }
-
-  ResidualLaw of_model() const {
-    const ResidualLaw law = residual_law(found_, base_);
-    return law.is_present ? law : law_;
-  }
 
   Verdict verdict(double base_times_floor) const {
     if (ends_library()) return Verdict::not_in_library;
@@ -111,8 +108,7 @@ class Told {
     return sets;
   }
 
-  RankedModel ranked(const FittedModel& set) const {
-    const ErrorsByLength errors(*found_.data, set);
+  RankedModel ranked(const FittedModel& set, const ErrorsByLength& errors) const {
     return {.effects = FittedValues(found_, set).effects(),
             .look_alikes = {},
             .gain = in_nats(gain_of(set.judged, base_.judged)),

@@ -47,7 +47,7 @@ std::optional<FittedLaw> longer_by_one(const LawBench& bench, const FittedLaw& l
     if (std::find(law.functions.begin(), law.functions.end(), term) != law.functions.end()) continue;
     std::vector<std::size_t> functions = law.functions;
     functions.push_back(term);
-    FittedLaw longer = bench.fit("", std::move(functions), kTermRidge);
+    FittedLaw longer = bench.fit("", functions, kTermRidge);
     if (!best || longer.judged.cost.cost < best->judged.cost.cost) best = std::move(longer);
   }
   return best;
@@ -88,7 +88,7 @@ JointLaws::JointLaws(const SearchData& data, const FittedModel& model, const Pre
 }
 
 void JointLaws::add(const std::string& kind, const std::vector<std::size_t>& functions) {
-  for (const double ridge : kRidges) laws_.push_back(bench_->fit(kind, functions, ridge));
+  for (FittedLaw& law : bench_->fits(kind, functions, kRidges)) laws_.push_back(std::move(law));
 }
 
 const FittedLaw& JointLaws::best_of(const std::string& kind) const {

@@ -66,15 +66,23 @@ StepBounds LawBench::bounds_of(const FittedLaw& law) const {
   return bounds;
 }
 
-FittedLaw LawBench::fit(std::string kind, std::vector<std::size_t> functions, double ridge) const {
-  FittedLaw law{std::move(kind), std::move(functions), ridge, {}, {}};
-  const BlockProducts products = products_of(law.functions);
-  const StepBounds bounds = bounds_of(law);
-  law.fit = least_cost(layout_, products, bounds);
-  law.judged.members = {law.kind};
-  law.judged.mean_square = law.fit.mean_square;
-  law.judged.cost = cross_fit(layout_, products, bounds, law.fit, true);
-  return law;
+FittedLaw LawBench::fit(const std::string& kind, const std::vector<std::size_t>& functions, double ridge) const {
+  return std::move(fits(kind, functions, {&ridge, 1}).front());
+}
+
+std::vector<FittedLaw> LawBench::fits(const std::string& kind, const std::vector<std::size_t>& functions,
+                                      std::span<const double> ridges) const {
+  std::vector<FittedLaw> laws;
+  const BlockProducts products = products_of(functions);
+  for (const double ridge : ridges) {
+    FittedLaw& law = laws.emplace_back(FittedLaw{kind, functions, ridge, {}, {}});
+    const StepBounds bounds = bounds_of(law);
+    law.fit = least_cost(layout_, products, bounds);
+    law.judged.members = {law.kind};
+    law.judged.mean_square = law.fit.mean_square;
+    law.judged.cost = cross_fit(layout_, products, bounds, law.fit, true);
+  }
+  return laws;
 }
 
 Eigen::MatrixXd LawBench::covariance(const FittedLaw& law) const {

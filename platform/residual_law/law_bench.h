@@ -4,6 +4,7 @@
 #include "residual_law/law_family.h"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,10 @@ class LawBench {
            const JointCourse& course, const ForcePulses& pulses, const Functions& functions);
 
   /// With no functions: the model itself.
-  FittedLaw fit(std::string kind, std::vector<std::size_t> functions, double ridge) const;
+  FittedLaw fit(const std::string& kind, const std::vector<std::size_t>& functions, double ridge) const;
+  /// With each of these ridges.
+  std::vector<FittedLaw> fits(const std::string& kind, const std::vector<std::size_t>& functions,
+                              std::span<const double> ridges) const;
   /// Covariance of the functions' sizes (criterion/value_errors.h).
   Eigen::MatrixXd covariance(const FittedLaw& law) const;
   /// The functions' own sizes.

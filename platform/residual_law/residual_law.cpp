@@ -1,11 +1,9 @@
 #include "residual_law/residual_law.h"
 
 #include "criterion/evidence.h"
-#include "residual_law/joint_laws.h"
+#include "foundation/parallel.h"
 
 #include <algorithm>
-#include <memory>
-#include <optional>
 
 namespace lacuna {
 namespace {
@@ -55,22 +53,26 @@ double most_left(const PredictionLadder& ladder, const LinearPrediction& linear)
 
 }  // namespace
 
-ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* candidate) {
-  ResidualLaw result;
+ResidualLaws::ResidualLaws(const SearchResult& found, const FittedModel& beside) : found_(found), beside_(beside) {
   const SearchData& data = *found.data;
-  if (data.plain().definition.structure.robot.contact.ground) return result;
+  if (data.plain().definition.structure.robot.contact.ground) return;
   const PredictionLadder& ladder = found.by_all_lengths ? data.ladder() : data.deciding();
-  if (!are_long_enough(data.task().trials, ladder.lengths.front())) return result;
-  const std::vector<JointCourse> courses = joint_courses(data);
+  if (!are_long_enough(data.task().trials, ladder.lengths.front())) return;
+  courses_ = joint_courses(data);
   const ModelBench bench = data.bench_for(beside.model);
   LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data.starts(),
                                 changes_readings(beside.model.definition));
-  const std::optional<LinearPrediction> linear = predictions.linearise(beside.fit.point);
-  if (!linear || most_left(ladder, *linear) < kOfNoise) return result;
-  std::vector<std::unique_ptr<JointLaws>> joints;
-  for (const JointCourse& course : courses)
-    joints.push_back(std::make_unique<JointLaws>(data, beside, ladder, *linear, course));
-  const BestLaw best = best_law(joints, candidate ? &candidate->judged : nullptr);
+  linear_ = predictions.linearise(beside.fit.point);
+  if (!linear_ || most_left(ladder, *linear_) < kOfNoise) return;
+  joints_.resize(courses_.size());
+  parallel_for(joints_.size(), data.task().threads, [&](std::size_t joint, int) {
+    joints_[joint] = std::make_unique<JointLaws>(data, beside, ladder, *linear_, courses_[joint]);
+  });
+}
+
+ResidualLaw ResidualLaws::best(const FittedModel* candidate) const {
+  ResidualLaw result;
+  const BestLaw best = best_law(joints_, candidate ? &candidate->judged : nullptr);
   if (!best.law) return result;
   const CandidateSet& over = candidate ? candidate->judged : best.joint->plain().judged;
   result.p = best.p;
@@ -79,9 +81,9 @@ ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, c
   result.kind = best.law->kind;
   const double of_law = std::max(0.0, result.gain.nats);
   const double of_set =
-      std::max(0.0, gain_of(candidate ? candidate->judged : beside.judged, found.sets.front().judged).nats);
+      std::max(0.0, gain_of(candidate ? candidate->judged : beside_.judged, found_.sets.front().judged).nats);
   result.share = of_law > 0.0 ? of_law / (of_set + of_law) : 0.0;
-  result.is_minor = is_minor(best.judged(), over, found.sets.front().judged, of_set + of_law);
+  result.is_minor = is_minor(best.judged(), over, found_.sets.front().judged, of_set + of_law);
   result.is_present = result.p < kPresent && result.gain.is_told() && result.share > kLeastShare &&
                       gain_elsewhere(best.judged(), over).is_told() && largest_gain(best.judged(), over) > kWorthNaming;
   if (!result.is_present) return result;

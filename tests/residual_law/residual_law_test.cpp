@@ -31,7 +31,7 @@ class ResidualLawTest : public testing::Test {
 
   ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true, double seconds = 6.0) {
     const SearchResult found = search(truth, seconds);
-    return residual_law(found, found.sets[beside_answer ? found.decision.answer : 0]);
+    return ResidualLaws(found, found.sets[beside_answer ? found.decision.answer : 0]).best();
   }
 
  private:
