@@ -11,6 +11,9 @@ constexpr double kNudge = 1e-4;  ///< rad or m, by which the slope of a reading 
 constexpr double kSame = 1e-9;   ///< of a reading, rad or m: the model changes nothing of it
 constexpr double kFlattest = 0.2, kSteepest = 5.0;
 
+/// The first sample alone, which needs no step of the stretch.
+Stretch first_sample(const Stretch& stretch) { return {stretch.trial, stretch.first, stretch.first + 1}; }
+
 /// A model's first reading of one coordinate.
 class FirstReading {
  public:
@@ -19,8 +22,7 @@ class FirstReading {
 
   /// NaN where it cannot be simulated.
   double at(const StartState& start) const {
-    const Stretch first{read_.stretch.trial, read_.stretch.first, read_.stretch.first + 2};
-    read_.predictor.predict(first, read_.values, start, read_.worker, prediction_, read_.warm_up);
+    read_.predictor.predict(first_sample(read_.stretch), read_.values, start, read_.worker, prediction_, read_.warm_up);
     return prediction_.valid ? prediction_.samples(0, reading_.channel) : std::nan("");
   }
 
@@ -103,8 +105,7 @@ void leave_to_warm_up(const ReadStart& read, const std::vector<double>& lateness
 
 ChangedStart start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction) {
   ChangedStart changed{start, read.warm_up ? std::optional(*read.warm_up) : std::nullopt, false};
-  const Stretch first{read.stretch.trial, read.stretch.first, read.stretch.first + 2};
-  read.predictor.predict(first, read.values, start, read.worker, prediction, read.warm_up);
+  read.predictor.predict(first_sample(read.stretch), read.values, start, read.worker, prediction, read.warm_up);
   if (!prediction.valid) return changed;
   const Eigen::RowVectorXd readings = prediction.samples.row(0);
   const std::vector<double> lateness = prediction.lateness;
