@@ -14,6 +14,7 @@ constexpr int kMostRepeats = 10;
 constexpr double kSettled = 1e-10;  ///< of the velocities; each repeat brings them closer by a factor of some tens
 /// Of the joint's inertia, for a rotor that has none: it follows what acts on it within a step.
 constexpr double kLeastRotor = 1e-9;
+constexpr double kNotFound = -1.0;  ///< of a mobility, which is positive
 
 }  // namespace
 
@@ -73,7 +74,13 @@ void Step::place_in_middle(const Motion& from, double length) {
   std::copy(from.configuration.begin(), from.configuration.end(), middle_.begin());
   drift(from.velocities, 0.5 * length, middle_);
   find_inertia(middle_);
-  for (std::size_t i = 0; i < dofs_; ++i) mobility_[i] = inverse_diagonal(factor_, dofs_, i, memory_);
+  std::fill(mobility_.begin(), mobility_.end(), kNotFound);
+}
+
+/// Found where it is asked for: most dofs have neither a damper nor a spring.
+double Step::mobility(std::size_t dof) {
+  if (mobility_[dof] == kNotFound) mobility_[dof] = inverse_diagonal(factor_, dofs_, dof, memory_);
+  return mobility_[dof];
 }
 
 void Step::drift(std::span<const double> velocities, double time, std::span<double> configuration) const {
@@ -115,8 +122,10 @@ void Step::find_weights(double length, const Commanded& commanded) {
     if (position) stiffness_of_dof_[a.dof] += a.kp + 0.5 * length * a.ki;
   }
   for (std::size_t i = 0; i < dofs_; ++i) {
-    const SpringWeights spring = spring_weights(length * length * stiffness_of_dof_[i] * mobility_[i]);
-    weights_[i] = {.late = late_damping(length * damping_of_dof_[i] * mobility_[i]),
+    weights_[i] = {};
+    if (damping_of_dof_[i] == 0.0 && stiffness_of_dof_[i] == 0.0) continue;
+    const SpringWeights spring = spring_weights(length * length * stiffness_of_dof_[i] * mobility(i));
+    weights_[i] = {.late = late_damping(length * damping_of_dof_[i] * mobility(i)),
                    .before = spring.before,
                    .after = spring.after};
   }
@@ -196,7 +205,7 @@ void Step::find_drag() {
 void Step::add_drag(const Motion& from, double length) {
   const std::size_t n = tree_.dofs();
   double rate = 0.0;
-  for (std::size_t i = 0; i < n; ++i) rate = std::max(rate, drag_[i * (n + 1)] * mobility_[i]);
+  for (std::size_t i = 0; i < n; ++i) rate = std::max(rate, drag_[i * (n + 1)] * mobility(i));
   const double late = late_damping(length * rate);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {

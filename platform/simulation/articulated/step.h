@@ -85,6 +85,7 @@ class Step {
   void place_in_middle(const Motion& from, double length);
   void drift(std::span<const double> velocities, double time, std::span<double> configuration) const;
   void find_inertia(std::span<const double> configuration);
+  double mobility(std::size_t dof);
   void find_weights(double length, const Commanded& commanded);
   void gather(double length, const Eigen::Vector3d& gravity);
   void add_coordinate(std::size_t coordinate, const Motion& from, double length, Contact stopped, bool reversals);
@@ -116,7 +117,8 @@ class Step {
   double middle_time_ = 0.0, length_ = 0.0;
   Eigen::Vector3d gravity_{0.0, 0.0, 0.0};
   std::vector<double> middle_, mean_, asked_, momentum_, pushed_;  // asked_: velocities of the loads
-  std::vector<double> inertia_, factor_, memory_, bias_, mobility_;
+  std::vector<double> inertia_, factor_, memory_, bias_;
+  std::vector<double> mobility_;  ///< per dof, of the inertia alone; as far as it was asked for
   std::vector<Weights> weights_;  ///< per dof
   std::vector<double> damping_of_dof_, stiffness_of_dof_;
   std::vector<VelocityLaw> laws_;

@@ -108,9 +108,9 @@ void Step::add_transmission(std::size_t a, const Motion& from, double length) {
     if (stretch == 0.0) stiffness = 0.0;
     if (stiffness == 0.0 && flank_damping == 0.0) return;
   }
-  const double mobility = mobility_[actuator.dof] + mobility_[joint.dof];
-  const SpringWeights spring = spring_weights(length * length * stiffness * mobility);
-  const double late = late_damping(length * flank_damping * mobility);
+  const double both = mobility(actuator.dof) + mobility(joint.dof);
+  const SpringWeights spring = spring_weights(length * length * stiffness * both);
+  const double late = late_damping(length * flank_damping * both);
   const double twisting = from.velocities[actuator.dof] - from.velocities[joint.dof];
   const double force =
       stiffness * stretch + (flank_damping * (1.0 - late) + stiffness * spring.before * length) * twisting;
