@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Optional, Union, overload
 
+from ._answer import called
 from ._arrays import Floats, subtracted
 from ._tables import Record, Table
 
@@ -97,10 +98,7 @@ class Traces(Sequence[Trace]):
             return Traces(self._traces[key])
         if isinstance(key, int):
             return self._traces[key]
-        for one in self._traces:
-            if one.trial == key:
-                return one
-        raise KeyError(f"{key}; the trials are {', '.join(self.trials) or 'none'}")
+        return called(key, self._traces, "trial", "the trials are")
 
     def __len__(self) -> int:
         return len(self._traces)

@@ -32,7 +32,7 @@ class DocumentationTest(unittest.TestCase):
         for kind in self.public_classes():
             if not dataclasses.is_dataclass(kind):
                 continue
-            described = _described(kind.__doc__ or "")
+            described = {name for one in kind.__mro__ if dataclasses.is_dataclass(one) for name in _described(one.__doc__ or "")}
             for one in dataclasses.fields(kind):
                 self.assertIn(one.name, described, f"{kind.__name__}.{one.name} is not described")
                 checked += 1

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Optional
+from typing import Optional
 
-from .._decode import WHOLE, named
+from .._answer import Answer
+from .._decode import named
 from .._tables import Record, Table
 
 
@@ -101,7 +101,7 @@ class ErrorRise:
 
 
 @dataclass(frozen=True, repr=False)
-class Change(Table):
+class Change(Answer, Table):
     """A step from one revision of the model to another. As a table: a row for each channel.
 
     Attributes
@@ -114,8 +114,6 @@ class Change(Table):
         Errors that rose.
     undo : str or None
         Command that takes the change back. None: it was an undo.
-    raw : mapping
-        The whole answer.
     """
 
     change: str
@@ -123,7 +121,6 @@ class Change(Table):
     after: RevisionErrors
     rises: tuple[ErrorRise, ...]
     undo: Optional[str] = None
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def __repr__(self) -> str:
         errors = ", ".join(

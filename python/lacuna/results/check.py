@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any, Optional
+from typing import Optional
 
-from .._decode import WHOLE, named
+from .._answer import Answer
+from .._decode import named
 from .._tables import Record, Table
 from .setup import Setup
 
@@ -151,7 +151,7 @@ class Note:
 
 
 @dataclass(frozen=True, repr=False)
-class Check(Table):
+class Check(Answer, Table):
     """An experiment file with everything that it names, as the program understood it. As a table: the channels.
 
     Attributes
@@ -176,8 +176,6 @@ class Check(Table):
         Setups, where recordings have some.
     notes : tuple of Note
         What looks odd.
-    raw : mapping
-        The whole answer.
     """
 
     experiment: str
@@ -190,7 +188,6 @@ class Check(Table):
     channels: tuple[Channel, ...]
     setups: tuple[Setup, ...]
     notes: tuple[Note, ...]
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def __repr__(self) -> str:
         return f"Check({self.experiment}: {len(self.trials)} trials, {len(self.free)} free values, {len(self.notes)} notes)"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any, Optional
+from typing import Optional
 
-from .._decode import WHOLE, named
+from .._answer import Answer, called
+from .._decode import named
 from .._tables import Record, Table
 from .fit import Fit
 from .setup import Setup
@@ -269,8 +269,9 @@ class CrossCheck:
 
 
 @dataclass(frozen=True, repr=False)
-class Comparison(Table):
-    """The model beside every recording. As a table: a row for each trial and channel.
+class Comparison(Answer, Table):
+    """The model beside every recording. As a table: a row for each trial and channel. `raw` has every test of where the
+    model fails, under ``where``.
 
     Attributes
     ----------
@@ -297,8 +298,6 @@ class Comparison(Table):
         What follows from the errors: a sentence, and the command to call next. None: the program states none.
     cross_check : CrossCheck or None
         With ``compare(cross_check=True)``.
-    raw : mapping
-        The whole answer, with every test under ``where``.
     """
 
     experiment: str
@@ -312,7 +311,6 @@ class Comparison(Table):
     notes: tuple[str, ...]
     advice: Optional[str] = None
     cross_check: Optional[CrossCheck] = None
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def __repr__(self) -> str:
         errors = ", ".join(
@@ -323,10 +321,7 @@ class Comparison(Table):
 
     def __getitem__(self, trial: str) -> TrialComparison:
         """The trial of this name. Raises `KeyError` with the known ones where there is none."""
-        for one in self.trials:
-            if one.trial == trial:
-                return one
-        raise KeyError(f"{trial}; the trials are {', '.join(one.trial for one in self.trials)}")
+        return called(trial, self.trials, "trial", "the trials are")
 
     def times_floor(self, *, held_out: bool = False) -> dict[str, float]:
         """Error over all fit trials, or all held-out ones, in multiples of the noise floor, by channel.

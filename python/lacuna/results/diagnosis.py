@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Optional
+from typing import Optional
 
-from .._decode import WHOLE, named
+from .._answer import Answer
+from .._decode import named
 from .._tables import Record, Table
 from .forces import ForceCurve, ForceFormula, Gain, UnexplainedForce
 from .setup import Setup
@@ -205,7 +206,7 @@ class StoppedSearch:
 
 
 @dataclass(frozen=True, repr=False)
-class Diagnosis(Table):
+class Diagnosis(Answer, Table):
     """What the model is missing. As a table: the ranking, a row for each candidate.
 
     Attributes
@@ -260,8 +261,6 @@ class Diagnosis(Table):
         Its curves.
     stopped : StoppedSearch or None
         Where a time limit stopped the search: the verdict is preliminary. None: it is finished.
-    raw : mapping
-        The whole answer.
     """
 
     verdict: str
@@ -289,7 +288,6 @@ class Diagnosis(Table):
     formulas: tuple[ForceFormula, ...] = ()
     residual_force: tuple[ForceCurve, ...] = ()
     stopped: Optional[StoppedSearch] = None
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def __repr__(self) -> str:
         return f"Diagnosis({self.verdict}{f': {self.answer}' if self.answer else ''})"

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
-from .._decode import WHOLE
+from .._answer import Answer
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,7 @@ class ExportedFile:
 
 
 @dataclass(frozen=True)
-class Export:
+class Export(Answer):
     """The identified robot, written.
 
     Attributes
@@ -71,11 +70,8 @@ class Export:
         Revision of the model that was written.
     files : tuple of ExportedFile
         What was written.
-    raw : mapping
-        The whole answer.
     """
 
     experiment: str
     revision: int
     files: tuple[ExportedFile, ...]
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
-from typing import Any, Optional
+from dataclasses import asdict, dataclass
+from typing import Optional
 
-from .._decode import WHOLE
+from .._answer import Answer, called
 from .._tables import Record, Table
 
 
@@ -67,7 +66,7 @@ class FitStage:
 
 
 @dataclass(frozen=True)
-class Fit(Table):
+class Fit(Answer, Table):
     """The model's free values, fitted to the fit trials. As a table: a row for each value.
 
     Attributes
@@ -84,8 +83,6 @@ class Fit(Table):
         Name of the experiment. None: the fit is part of a comparison.
     stopped : str or None
         Why it ended before it converged, as by a time limit. None: it did not.
-    raw : mapping
-        The whole answer.
     """
 
     values: tuple[FittedValue, ...]
@@ -94,14 +91,10 @@ class Fit(Table):
     notes: tuple[str, ...]
     experiment: Optional[str] = None
     stopped: Optional[str] = None
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def __getitem__(self, address: str) -> FittedValue:
         """The value at an address. Raises `KeyError` with the known ones where there is none."""
-        for one in self.values:
-            if one.address == address:
-                return one
-        raise KeyError(f"{address}; fitted are {', '.join(one.address for one in self.values) or 'no values'}")
+        return called(address, self.values, "address", "fitted are")
 
     @property
     def converged(self) -> bool:

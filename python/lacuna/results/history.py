@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any, Optional
+from typing import Optional
 
-from .._decode import WHOLE, named
+from .._answer import Answer
+from .._decode import named
 from .._tables import Record, Table
 from .setup import Setup
 
@@ -74,7 +74,7 @@ class Revision:
 
 
 @dataclass(frozen=True)
-class History(Table):
+class History(Answer, Table):
     """Error by revision of the model. As a table: a row for each revision and channel.
 
     Attributes
@@ -89,8 +89,6 @@ class History(Table):
         Setups, where recordings have some.
     revisions : tuple of Revision
         The first revision first.
-    raw : mapping
-        The whole answer.
     """
 
     held_out_looks: int
@@ -98,7 +96,6 @@ class History(Table):
     next: Optional[str]
     setups: tuple[Setup, ...]
     revisions: tuple[Revision, ...]
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def to_records(self) -> list[Record]:
         """A row for each revision and channel, with the fields of `Revision` but `horizons`."""

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any, Optional
+from dataclasses import dataclass
+from typing import Optional
 
-from .._decode import WHOLE
+from .._answer import Answer
 from .._tables import Record, Table
 
 
@@ -39,7 +38,7 @@ class Component:
 
 
 @dataclass(frozen=True)
-class PluginList(Table):
+class PluginList(Answer, Table):
     """Every component of every plugin. As a table: a row for each.
 
     Attributes
@@ -48,13 +47,10 @@ class PluginList(Table):
         By kind and name.
     problems : tuple of str
         Libraries that cannot be used, with the reason.
-    raw : mapping
-        The whole answer.
     """
 
     components: tuple[Component, ...]
     problems: tuple[str, ...]
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def to_records(self) -> list[Record]:
         """A row for each component: `kind`, `name`, `summary`."""

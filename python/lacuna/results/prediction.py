@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any, Optional
+from dataclasses import dataclass
+from typing import Optional
 
+from .._answer import Answer, called
 from .._arrays import Floats, array, subtracted
-from .._decode import WHOLE
 from .._tables import Record, Table
 from .setup import Setup
 
@@ -52,7 +51,7 @@ class PredictedTest:
 
 
 @dataclass(frozen=True)
-class Prediction(Table):
+class Prediction(Answer, Table):
     """The fitted model, simulated. As a table: a row for each test, time and channel.
 
     Attributes
@@ -73,8 +72,6 @@ class Prediction(Table):
         What cannot be simulated, a sentence each.
     predictions : tuple of PredictedTest
         The test, or each fit trial.
-    raw : mapping
-        The whole answer.
     """
 
     experiment: str
@@ -85,7 +82,6 @@ class Prediction(Table):
     setup: Optional[Setup]
     failed: tuple[str, ...]
     predictions: tuple[PredictedTest, ...]
-    raw: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False, metadata=WHOLE)
 
     def times(self, name: Optional[str] = None) -> Floats:
         """Times of a test, s: a numpy array where numpy is installed, else a list. Default: the first test."""
@@ -119,15 +115,9 @@ class Prediction(Table):
         ]
 
     def _test(self, name: Optional[str]) -> PredictedTest:
-        for test in self.predictions:
-            if name is None or test.name == name:
-                return test
-        known = ", ".join(test.name for test in self.predictions)
-        raise KeyError(f"{name or 'a test'}; predicted are {known or 'none'}")
+        if name is None and self.predictions:
+            return self.predictions[0]
+        return called(name or "a test", self.predictions, "name", "predicted are")
 
     def _channel(self, channel: str, name: Optional[str]) -> PredictedChannel:
-        test = self._test(name)
-        for one in test.channels:
-            if one.channel == channel:
-                return one
-        raise KeyError(f"{channel}; the channels are {', '.join(one.channel for one in test.channels)}")
+        return called(channel, self._test(name).channels, "channel", "the channels are")
