@@ -17,6 +17,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace lacuna {
 namespace {
@@ -173,6 +174,14 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
   if (!report.has_problems()) check_holdout_ranges(file, of_holdout, report);
 }
 
+/// Runs side by side in one file are read one by one, each with the same notes on the whole file.
+void drop_repeated(std::vector<ReadingNote>& notes) {
+  std::set<std::tuple<std::string, int, std::string>> seen;
+  std::erase_if(notes, [&](const ReadingNote& note) {
+    return !seen.insert({note.location.file, note.location.line, note.message}).second;
+  });
+}
+
 bool is_csv(const MeasuredFile& file, const RecordingFormats* formats) {
   return !formats || !formats->reads(file.path);
 }
@@ -320,6 +329,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
     report.move_to(problems, recording.notes);
     for (FileReport& further : tables[i].further) further.move_to(problems, recording.notes);
   }
+  drop_repeated(recording.notes);
   check_holdout(whole, recording.trials, location, problems);
   problems.throw_if_any();
   std::stable_partition(recording.trials.begin(), recording.trials.end(),

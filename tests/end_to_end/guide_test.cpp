@@ -12,7 +12,8 @@ namespace lacuna {
 namespace {
 
 /// The guides that take the small rig of experiments/first-steps.toml, a fit of which takes a second or two, an
-/// experiment of experiments/smoke/, shortened, or the robots and bags of experiments/bags/.
+/// experiment of experiments/smoke/, shortened, the robots and bags of experiments/bags/, or the tables of
+/// experiments/classroom/.
 class Guide : public testing::TestWithParam<const char*> {};
 
 TEST_P(Guide, PrintsWhatItSays) {
@@ -20,6 +21,7 @@ TEST_P(Guide, PrintsWhatItSays) {
   program.copy_first_steps();
   program.copy_smoke();
   program.copy_bags();
+  program.copy_classroom();
   follow_guide(GetParam(), program);
 }
 
@@ -29,7 +31,8 @@ INSTANTIATE_TEST_SUITE_P(Guides, Guide,
                                          "docs/how-to/run-the-algorithm.md", "docs/how-to/choose-the-next-test.md",
                                          "docs/how-to/use-many-machines.md", "docs/reference/commands.md",
                                          "docs/reference/formulas.md", "docs/how-to/identify-an-arm-from-a-bag.md",
-                                         "docs/how-to/identify-a-leg-from-a-bag.md"),
+                                         "docs/how-to/identify-a-leg-from-a-bag.md",
+                                         "docs/how-to/identify-a-pendulum-from-a-table.md"),
                          [](const auto& guide) {
                            const std::string path = guide.param;
                            const std::size_t begin = path.rfind('/') + 1;

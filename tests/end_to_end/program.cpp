@@ -116,6 +116,10 @@ void Program::copy_bags() const {
     fs::copy(fs::path(kExperiments) / "bags" / file, folder_);
 }
 
+void Program::copy_classroom() const {
+  for (const char* file : {"session.csv", "video.txt"}) fs::copy(fs::path(kExperiments) / "classroom" / file, folder_);
+}
+
 void Program::copy_outside_targets() const {
   for (const char* file : {"outside-pendulum.toml", "outside-cart-pole.toml"})
     fs::copy(fs::path(kExperiments) / file, folder_);

@@ -45,6 +45,8 @@ class Program {
   void copy_smoke() const;
   /// Copies the robots, recordings and the experiment file of experiments/bags/ that guides begin with.
   void copy_bags() const;
+  /// Copies the tables of experiments/classroom/ that a guide begins with.
+  void copy_classroom() const;
   void write(const std::string& file, const std::string& text) const;
   std::string read(const std::string& file) const;
 

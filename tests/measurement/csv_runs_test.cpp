@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace lacuna {
 namespace {
 
@@ -66,6 +68,14 @@ TEST_F(CsvRuns, AreTablesThatARecordingNames) {
 
 TEST_F(CsvRuns, AreNotSpokenOfWhereAllAreRead) {
   EXPECT_THAT(notes_of(read_pendulum(source_of_runs({"Run #1", "Run #2", "Run #3"}))), Not(HasSubstr("not read")));
+}
+
+TEST_F(CsvRuns, HaveANoteOnTheirFileOnce) {
+  const Recording recording = read_pendulum(source_of_runs({"Run #1", "Run #2", "Run #3"}));
+  const auto of_commas = [](const ReadingNote& note) {
+    return note.message.find("decimal commas") != std::string::npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(recording.notes, of_commas), 1);
 }
 
 TEST_F(CsvRuns, MayBeNamedInColumnsInstead) {

@@ -25,19 +25,31 @@ TEST_F(NewCommand, DraftsARecordingForEachRunOfAnExport) {
   EXPECT_EQ(recording.trials[1].measured.times.size(), 80);
 }
 
-TEST_F(NewCommand, MakesAnAngleOfATrackedMass) {
+/// A pendulum of 0.3 m in a video; every second point is `off` too far from the pivot, the others too near, m.
+std::string tracked_mass(double off) {
   std::string text = "mass_A\t\t\nt\tx\ty\n";
   for (int i = 0; i < 150; ++i) {
-    const double q = 0.6 * std::cos(5.5 * i / 30.0);
-    text += fmt::format("{:.6f}\t{:.6f}\t{:.6f}\n", i / 30.0, 0.3 * std::sin(q), -0.3 * std::cos(q));
+    const double q = 0.6 * std::cos(5.5 * i / 30.0), radius = 0.3 + (i % 2 == 0 ? off : -off);
+    text += fmt::format("{:.6f}\t{:.6f}\t{:.6f}\n", i / 30.0, radius * std::sin(q), -radius * std::cos(q));
   }
-  const Outcome outcome = run_new({folder_.write("run.txt", text)});
+  return text;
+}
+
+TEST_F(NewCommand, MakesAnAngleOfATrackedMass) {
+  const Outcome outcome = run_new({folder_.write("run.txt", tracked_mass(0.0))});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("angle            column x and y in m (x and y go round a circle)"));
   EXPECT_THAT(outcome.out, HasSubstr("track              a circle of radius 0.3 m about ("));
   EXPECT_THAT(text_of(rig()), HasSubstr("angle = { column = \"x\", y = \"y\", unit = \"m\", pivot = ["));
   const Recording recording = expect_a_draft_that_works();
   EXPECT_NEAR(recording.trials.front().measured.samples(0, 0), 0.6, 1e-3);
+}
+
+TEST_F(NewCommand, TakesTheNoiseOfATrackedMassFromItsCircle) {
+  const Outcome outcome = run_new({folder_.write("run.txt", tracked_mass(0.003))});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(text_of(rig()), HasSubstr("zero = \"-90 deg\", noise = \"0.01 rad\" }"));
+  expect_a_draft_that_works();
 }
 
 class DraftQuestions : public NewCommand {

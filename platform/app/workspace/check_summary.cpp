@@ -92,7 +92,9 @@ std::string gain_text(const ColumnMapping& mapping) {
 }
 
 std::string mapping_text(const ColumnMapping& mapping, const ChannelExtent& extent, const char* what) {
-  std::string text = fmt::format("{}, {}: column {}", mapping.channel, what, mapping.column);
+  const std::string& y = mapping.track.other;
+  std::string text = fmt::format("{}, {}: {}", mapping.channel, what,
+                                 y.empty() ? "column " + mapping.column : "columns " + mapping.column + " and " + y);
   if (mapping.unit != "1") text += " in " + mapping.unit;
   text += gain_text(mapping);
   if (extent.smallest <= extent.largest)

@@ -45,7 +45,10 @@ std::string unit_or_blank(const GuessedColumn& column, const std::string& si_uni
 /// x and y of a tracked point.
 std::string track_line(const RigDraft& draft, const MatchedColumn& match) {
   const GuessedTrack& track = *match.column.track;
-  const NoiseText noise = noise_of(draft, match.channel.name, match.channel.unit, "rad");
+  NoiseText noise = noise_of(draft, match.channel.name, match.channel.unit, "rad");
+  if (noise.key.empty() && track.scatter > 0.0)
+    noise = {fmt::format(", noise = \"{:.2g} rad\"", track.scatter / track.radius),
+             "noise: distance of the points from the circle / its radius"};
   return with_comment(
       fmt::format(
           "{} = {{ column = {}, y = {}, unit = {}, pivot = [\"{:.4g} m\", \"{:.4g} m\"], zero = \"-90 deg\"{} }}",
