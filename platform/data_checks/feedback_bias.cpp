@@ -1,6 +1,7 @@
 #include "data_checks/feedback_bias.h"
 
 #include "foundation/statistics.h"
+#include "data_checks/wrong_controllers.h"
 #include "fitting/comparison.h"
 #include "foundation/unit.h"
 #include "measurement/trials/recorded_controller.h"
@@ -14,39 +15,21 @@
 namespace lacuna {
 namespace {
 
-constexpr double kOtherCommands = 0.1;  // of the commands' deviation, RMS
-constexpr double kBiased = 3.0;         // standard errors
+constexpr double kBiased = 3.0;  // standard errors
 
 /// The controller of a trial that is fitted to; null: none.
 const RecordedController* controller_of(const Trial& trial) {
   return trial.held_out ? nullptr : dynamic_cast<const RecordedController*>(trial.controller.get());
 }
 
-/// RMS of what the law makes of the recorded readings less what was recorded, over the deviation of that.
-double disagreement(const RecordedController& controller, std::size_t law) {
-  const Eigen::ArrayXd made = controller.of_recorded_readings(law).array();
-  const Eigen::ArrayXd sent = controller.commands().series.samples.col(controller.laws()[law].command_column).array();
-  const auto known = made.isFinite();
-  const auto count = std::max(1.0, static_cast<double>(known.count()));
-  const double off = std::sqrt(known.select(made - sent, 0.0).square().sum() / count);
-  return off / std::max(std::sqrt((sent - sent.mean()).square().mean()), 1e-300);
-}
-
-std::vector<std::string> wrong_controllers(const std::vector<Trial>& trials) {
+std::vector<std::string> sentences_on(const std::vector<WrongController>& wrong) {
   std::vector<std::string> sentences;
-  for (const Trial& trial : trials) {
-    const RecordedController* controller = controller_of(trial);
-    for (std::size_t law = 0; controller && law < controller->laws().size(); ++law) {
-      const double off = disagreement(*controller, law);
-      if (off <= kOtherCommands) continue;
-      const auto column = static_cast<std::size_t>(controller->laws()[law].command_column);
-      sentences.push_back(fmt::format(
-          "{}: the controller that target.controllers declares for {} does not make the recorded commands of the "
-          "recorded readings (it is off by {:.0f} % of their deviation): whether feedback biases the values was not "
-          "tested; check its gains, their signs and the reference",
-          trial.name, controller->commands().series.channels[column].name, 100.0 * off));
-    }
-  }
+  for (const WrongController& one : wrong)
+    sentences.push_back(fmt::format(
+        "{}: the controller that target.controllers declares for {} does not make the recorded commands of the "
+        "recorded readings (it is off by {:.0f} % of their deviation): whether feedback biases the values was not "
+        "tested; check its gains, their signs and the reference",
+        one.trial, one.actuator, 100.0 * one.off));
   return sentences;
 }
 
@@ -80,7 +63,8 @@ bool has_controller(const std::vector<Trial>& trials) {
 }
 
 std::vector<std::string> feedback_bias(const FitTask& task) {
-  if (std::vector<std::string> wrong = wrong_controllers(task.trials); !wrong.empty()) return wrong;
+  if (const std::vector<WrongController> wrong = wrong_controllers(task.trials); !wrong.empty())
+    return sentences_on(wrong);
   const auto fitted_to = [&](const std::vector<Trial>& trials) {
     return fit({task.definition, task.model, trials, task.options, task.seed, task.threads});
   };

@@ -145,5 +145,30 @@ TEST(FreeBody, IsCompared) {
   EXPECT_THAT(outcome.output, HasSubstr("place.z"));
 }
 
+/// Declares a controller of the motor on the angle, with the measured angle as its reference.
+void declare_controller(const Program& program) {
+  std::string text = program.read("first-steps.toml");
+  text.insert(text.find("[model]"),
+              "[target.controllers]\n"
+              "motor = { reads = \"angle\", reference = { column = \"angle_deg\", unit = \"deg\" }, "
+              "proportional = \"8 N*m/rad\" }\n\n");
+  program.write("first-steps.toml", text);
+}
+
+/// Where they say it, it has not yet cost a fit or a diagnosis.
+TEST_F(Check, AndCompareNameAControllerThatDidNotMakeTheCommands) {
+  declare_controller(program_);
+  const char* sentence =
+      "first-steps.toml:25:9: the controller of motor does not reproduce the recorded commands from the recorded "
+      "readings: the RMS difference, over the standard deviation of the commands, is 102 % in sine.csv, 102 % in "
+      "steps.csv. Check its gains, their signs and the reference\n";
+  const Outcome checked = check();
+  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  EXPECT_THAT(checked.output, HasSubstr(sentence));
+  const Outcome compared = program_.run({"compare", "first-steps.toml", "--as-is", "--quiet"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.errors;
+  EXPECT_THAT(compared.errors, HasSubstr(sentence));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 #include "app/workspace/rig.h"
 
 #include "app/terminal/output.h"
+#include "app/workspace/controller_notes.h"
 #include "app/workspace/trial_target.h"
 #include "config/decided.h"
 #include "config/experiment_reader.h"
@@ -67,6 +68,7 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
       [&rig](const ReadingNote& note) { rig.notes.push_back(note); }, &formats);
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
                             [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
+  for (ReadingNote& note : controller_notes(rig.experiment, rig.trials)) rig.notes.push_back(std::move(note));
   check_step_count(rig.experiment, rig.trials, false);
   compile_model(rig);
   return rig;
