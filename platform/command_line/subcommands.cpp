@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <string_view>
+
 namespace lacuna {
 
 const CLI::App* find_subcommand(const CLI::App& command, const std::string& name) {
@@ -31,6 +34,22 @@ std::string help_text(const CLI::App& program, const std::vector<std::string>& w
   }
   // Not `App::help`, which of a command that is being carried out shows its own subcommand's.
   return command->get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal);
+}
+
+std::optional<std::vector<std::string>> command_to_explain(const CLI::App& program, int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, std::find(argv + 1, argv + argc, std::string_view("--")));
+  const auto asks = [](const std::string& word) { return word == "--help" || word == "-h"; };
+  if (std::none_of(words.begin(), words.end(), asks)) return std::nullopt;
+  const CLI::App* command = &program;
+  std::vector<std::string> names;
+  for (const std::string& word : words) {
+    if (word.starts_with('-')) continue;
+    if (command->get_subcommands(nullptr).empty()) break;  // what follows are its files
+    command = find_subcommand(*command, word);
+    if (command == nullptr) return std::nullopt;
+    names.push_back(word);
+  }
+  return names;
 }
 
 }  // namespace lacuna

@@ -44,5 +44,27 @@ TEST_F(HelpText, SuggestsTheNearestCommand) {
                                     "bench cases --help"));
 }
 
+/// The command that a line asks the help of.
+std::optional<std::vector<std::string>> explained(const CLI::App& program, std::vector<std::string> words) {
+  words.insert(words.begin(), "bench");
+  std::vector<char*> typed;
+  for (std::string& word : words) typed.push_back(word.data());
+  return command_to_explain(program, static_cast<int>(typed.size()), typed.data());
+}
+
+TEST_F(HelpText, IsAskedForWhereverTheOptionStands) {
+  const std::vector<std::string> plan = {"cases", "plan"};
+  EXPECT_EQ(explained(program_, {"cases", "plan", "no such file", "--help"}), plan);
+  EXPECT_EQ(explained(program_, {"--help", "cases", "plan"}), plan);
+  EXPECT_EQ(explained(program_, {"cases", "plan", "--short", "-h"}), plan);
+  EXPECT_EQ(explained(program_, {"--help"}), std::vector<std::string>());
+}
+
+TEST_F(HelpText, IsNotAskedForByAnotherWordOrOfNoCommand) {
+  EXPECT_EQ(explained(program_, {"cases", "plan", "help"}), std::nullopt);
+  EXPECT_EQ(explained(program_, {"cases", "plan", "--", "--help"}), std::nullopt);
+  EXPECT_EQ(explained(program_, {"cases", "plam", "--help"}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -42,6 +42,14 @@ TEST_F(MistakenFile, AnExperimentInPlaceOfItsDatabaseIsToldWithTheLineToType) {
   EXPECT_THAT(there.errors, AllOf(HasSubstr("lacuna sql first-steps.db 'SELECT 1'"), Not(HasSubstr("none yet"))));
 }
 
+TEST_F(MistakenFile, DoesNotStandBetweenAUserAndTheHelp) {
+  for (const char* command : {"report", "sql", "serve", "runs"}) {
+    const Outcome outcome = program_.run({command, "first-steps.toml", "--help"});
+    EXPECT_EQ(outcome.exit_code, kDone) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("Usage: lacuna " + std::string(command)));
+  }
+}
+
 TEST_F(MistakenFile, AReportIsNotPrintedToATerminal) {
   ASSERT_EQ(program_.run({"compare", "first-steps.toml"}).exit_code, kDone);
   if (program_.shell("command -v script").exit_code != 0) GTEST_SKIP() << "there is no script to make a terminal";

@@ -5,6 +5,7 @@
 #include "app/terminal/output.h"
 #include "app/terminal/plain_streams.h"
 #include "app/terminal/time_limit.h"
+#include "command_line/subcommands.h"
 #include "command_line/usage_error.h"
 #include "foundation/processes/end_without_memory.h"
 #include "foundation/files/file_sandbox.h"
@@ -136,7 +137,10 @@ int parse_and_run(CLI::App& program, int argc, char** argv) try {
   enter_file_sandbox();
   prepare_limits();
   dense_kernels();  // complains of LACUNA_KERNELS before any work is done
-  program.parse(argc, argv);
+  if (const auto explained = command_to_explain(program, argc, argv))
+    std::fputs(help_text(program, *explained).c_str(), stdout);
+  else
+    program.parse(argc, argv);
   return end_of_output();
 } catch (const CLI::Success& help_or_version) {
   return program.exit(help_or_version) == 0 ? end_of_output() : kFailed;
