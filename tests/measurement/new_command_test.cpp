@@ -35,6 +35,15 @@ TEST_F(NewCommand, DraftsSeveralJointsWithoutUnitsInOneFileOfTrials) {
   EXPECT_EQ(recording.trials[0].measured.channels.size(), 3u);
 }
 
+TEST_F(NewCommand, SaysThatCommasAreBothDecimalSignsAndDelimiters) {
+  std::string text = "t_s,angle_deg,torque_Nm\n0,0,0\n";
+  for (int i = 1; i < 50; ++i) text += fmt::format("0,{:02},{},{:02},-1,{:02}\n", i, i % 7, i % 100, (7 * i) % 100);
+  const Outcome outcome = run_new({folder_.write("run.csv", text)});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("run.csv:3: 6 cells where the header (line 1) has 3 names"));
+  EXPECT_THAT(outcome.err, HasSubstr("semicolons or tabs (0,01;0,5)"));
+}
+
 TEST_F(NewCommand, DraftsAServo) {
   std::string text = "t,angle_deg,angle_ref_deg\n";
   for (int i = 0; i < 100; ++i)

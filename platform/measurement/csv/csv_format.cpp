@@ -4,6 +4,7 @@
 #include "measurement/csv/csv_lines.h"
 #include "measurement/cells/number_cell.h"
 #include "measurement/cells/utf8.h"
+#include "measurement/shared_commas.h"
 
 #include <fmt/format.h>
 
@@ -130,12 +131,14 @@ void note_latin1(std::string_view header, const CsvFormat& format, FileReport& r
   });
 }
 
-/// Three digits after a comma may be thousands as well; between commas, where only quoted cells can have
-/// one, that counts for nothing.
+/// Three digits after a comma may be thousands as well, but not behind a lone zero; between commas, where only quoted
+/// cells can have one, thousands count for nothing.
 bool shows_decimal_comma(std::string_view cell, char delimiter) {
+  cell = trimmed(cell);
   const std::size_t comma = cell.find(',');
   if (comma == cell.npos || read_number(cell, true).kind != CellKind::number) return false;
-  return delimiter != ',' || trimmed(cell.substr(comma + 1)).size() != 3;
+  const std::string_view whole = cell.substr(0, comma);
+  return delimiter != ',' || cell.substr(comma + 1).size() != 3 || whole == "0" || whole == "-0";
 }
 
 /// Decimal commas where numbers have commas and none has a point.
@@ -154,6 +157,18 @@ bool has_decimal_commas(std::string_view text, const CsvFormat& format) {
     }
   }
   return commas > 0;
+}
+
+void refuse_shared_commas(std::string_view text, const CsvFormat& format, FileReport& report) {
+  const SharedCommas shared = shared_commas(text, format);
+  if (shared.line == 0) return;
+  report.problem("shared commas", shared.line, [&] {
+    return fmt::format(
+        "{} cells where the header (line {}) has {} names, and all are whole numbers: commas seem to be decimal signs "
+        "and delimiters at once, so where a value ends is ambiguous. Save the file with decimal points (0.01,0.5); "
+        "with decimal commas the cells must be separated by semicolons or tabs (0,01;0,5)",
+        shared.cells, format.header_line, format.names.size());
+  });
 }
 
 }  // namespace
@@ -189,6 +204,7 @@ CsvFormat find_csv_format(std::string_view text, const CsvFormatHints& hints, Fi
   note_latin1(header.text, format, report);
   if (index + 1 < beginning.lines().size() && format.first_line > format.header_line)
     take_units_row(beginning.lines()[index + 1], report, format);
+  refuse_shared_commas(text, format, report);
   format.decimal_comma = hints.decimal_comma || has_decimal_commas(text, format);
   if (format.decimal_comma && !hints.decimal_comma)
     report.note("commas", 0, [] { return std::string("commas in numbers are read as decimal commas"); });
