@@ -42,6 +42,28 @@ TEST_F(MistakenFile, AnExperimentInPlaceOfItsDatabaseIsToldWithTheLineToType) {
   EXPECT_THAT(there.errors, AllOf(HasSubstr("lacuna sql first-steps.db 'SELECT 1'"), Not(HasSubstr("none yet"))));
 }
 
+/// A copy whose name was not changed writes into the database of its original.
+TEST_F(MistakenFile, ACopyThatSharesTheDatabaseOfItsOriginalIsTold) {
+  const std::vector<std::string> compare_copy = {"compare", "copy.toml", "--as-is", "--quiet"};
+  ASSERT_EQ(program_.run({"compare", "first-steps.toml", "--as-is"}).exit_code, kDone);
+  program_.write("copy.toml", program_.read("first-steps.toml"));
+  const Outcome shared = program_.run(compare_copy);
+  EXPECT_EQ(shared.exit_code, kDone) << shared.errors;
+  EXPECT_THAT(shared.errors, HasSubstr("copy.toml:5:8: first-steps.toml is also called \"first-steps\" and writes into "
+                                       "the same database, first-steps.db"));
+  EXPECT_THAT(program_.run({"check", "copy.toml"}).output, HasSubstr("name another database with --db"));
+  std::string renamed = program_.read("copy.toml");
+  renamed.replace(renamed.find("\"first-steps\""), 13, "\"second\"");
+  program_.write("copy.toml", renamed);
+  EXPECT_EQ(program_.run(compare_copy).errors, "");
+}
+
+TEST_F(MistakenFile, AMovedExperimentGoesOnInItsDatabase) {
+  ASSERT_EQ(program_.run({"compare", "first-steps.toml", "--as-is"}).exit_code, kDone);
+  ASSERT_EQ(program_.shell("mv first-steps.toml moved.toml").exit_code, 0);
+  EXPECT_EQ(program_.run({"compare", "moved.toml", "--as-is", "--quiet"}).errors, "");
+}
+
 TEST_F(MistakenFile, DoesNotStandBetweenAUserAndTheHelp) {
   for (const char* command : {"report", "sql", "serve", "runs"}) {
     const Outcome outcome = program_.run({command, "first-steps.toml", "--help"});

@@ -141,6 +141,7 @@ void say_finished(const RunOptions& options, const std::string& experiment, RunI
 void carry_out_run(const RunOptions& options) {
   check_output(options.json);
   const EeaBench bench(open_rig(options));
+  bench.rig().tell_doubts();
   const std::filesystem::path file = database_of(options, bench.rig().experiment);
   ask_target(bench);  // what does not fit is said before a run begins
   Database database = Database::open(file);

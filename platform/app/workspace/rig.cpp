@@ -2,6 +2,7 @@
 
 #include "app/terminal/output.h"
 #include "app/workspace/controller_notes.h"
+#include "app/workspace/shared_database.h"
 #include "app/workspace/trial_target.h"
 #include "config/decided.h"
 #include "config/experiment_reader.h"
@@ -112,7 +113,10 @@ std::size_t add_single_trials(const Database& database, const std::string& targe
   return others;
 }
 
-Rig with_stored_trials(Rig rig, const CommonOptions& options) {
+/// The trials and the warnings that its database has for it.
+Rig with_database(Rig rig, const CommonOptions& options) {
+  if (auto note = shared_database_note(rig.experiment, database_of(options, rig.experiment)))
+    rig.notes.push_back(std::move(*note));
   const std::string& kind = rig.experiment.target.kind;
   if (!rig.catalog->make<TargetSystem>(kind)->takes_tests()) return rig;
   const std::filesystem::path file = database_of(options, rig.experiment);
@@ -166,18 +170,23 @@ std::vector<Trial> Rig::fit_trials() const {
   return chosen;
 }
 
+void Rig::tell_doubts() const {
+  for (const ReadingNote& note : notes)
+    if (note.doubt) fmt::print(stderr, "{}: {}\n", to_string(note.location), note.message);
+}
+
 Rig open_rig(const CommonOptions& options) {
   Experiment experiment = read_experiment(options.experiment, options.overrides);
   note_inputs(experiment, options);
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
-  return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
+  return with_database(assemble(std::move(experiment), std::move(catalog)), options);
 }
 
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog) {
   Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
   decide_as(experiment, options.decided);
   note_inputs(experiment, options);
-  return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
+  return with_database(assemble(std::move(experiment), std::move(catalog)), options);
 }
 
 Rig open_rig_without_trials(const CommonOptions& options, const std::string& text) {

@@ -28,6 +28,8 @@ struct Rig {
   std::size_t count(bool held_out) const;
   /// Without those that are held out.
   std::vector<Trial> fit_trials() const;
+  /// Prints the notes that every command repeats to standard error.
+  void tell_doubts() const;
 };
 
 /// Everything that a command reads of an experiment, except for its database.

@@ -14,8 +14,7 @@ namespace lacuna {
 
 Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig(options)) {
   if (!rig_.left_out.empty()) fmt::print(stderr, "{}\n", rig_.left_out);
-  for (const ReadingNote& note : rig_.notes)
-    if (note.doubt) fmt::print(stderr, "{}: {}\n", to_string(note.location), note.message);
+  rig_.tell_doubts();
   if (!integration_.empty() && !options.quiet) fmt::print(stderr, "{}\n", integration_);
 }
 

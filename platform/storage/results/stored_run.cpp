@@ -56,6 +56,17 @@ void check_stored_texts(const Database& database) {
   problems.throw_if_any();
 }
 
+std::vector<std::string> files_of_experiment(const Database& database, const std::string& experiment) {
+  Statement row(database,
+                "SELECT DISTINCT file FROM experiment_text"
+                " JOIN experiment ON experiment.id = experiment_text.experiment WHERE experiment.name = ?"
+                " ORDER BY file");
+  row.with(experiment);
+  std::vector<std::string> files;
+  while (row.step()) files.push_back(row.text(0));
+  return files;
+}
+
 void replace_plugin(Database& database, RunId run, const PluginFileRecord& before, const PluginFileRecord& now) {
   Transaction transaction(database);
   Statement(database, "UPDATE plugin_file SET file = ? WHERE run = ? AND file = ?")

@@ -12,6 +12,9 @@ namespace lacuna {
 std::string digest_of_text(const std::string& file, const std::string& text, const std::string& overrides,
                            const std::string& decided);
 
+/// The experiment files, as users named them, whose texts the database has of the experiment of that name.
+std::vector<std::string> files_of_experiment(const Database& database, const std::string& experiment);
+
 /// What a run was started from: enough to run it again.
 struct StoredRun {
   ExperimentRecord experiment;
