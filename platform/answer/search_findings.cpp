@@ -1,6 +1,7 @@
 #include "answer/search_findings.h"
 
 #include "foundation/statistics.h"
+#include "answer/bound_findings.h"
 #include "answer/errors_by_length.h"
 #include "answer/evidence.h"
 #include "answer/fitted_values.h"
@@ -140,6 +141,7 @@ class Told {
           "joints do lowers that where it was not fitted: what is missing is not told by these recordings; "
           "record other commands, starts or loads",
           result.base_times_floor));
+    for (std::string& text : bound_findings(answer_.model.definition.free, result.values)) add(std::move(text));
     add(off_time());
     add(unread());
     add(reach(result.base_segment));
