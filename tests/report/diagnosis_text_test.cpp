@@ -102,7 +102,8 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text,
               HasSubstr("43 candidates were tried; chance gives as large a gain as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
-  EXPECT_THAT(text, HasSubstr("triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
+  EXPECT_THAT(text, HasSubstr("a test that tells coulomb_friction @ joint.hinge from the nearest other candidate: "
+                              "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 

@@ -169,7 +169,9 @@ std::string chance_text(const Diagnosis& diagnosis) {
 /// In a setup the commands alone are not the test, so that the line to type names it, too.
 std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   if (diagnosis.next_test.empty()) return "";
-  std::string text = fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);
+  std::string text = fmt::format("a test that tells {} from the nearest other candidate: {}\n",
+                                 diagnosis.ranking.empty() ? "the answer" : names_text(diagnosis.ranking.front()),
+                                 diagnosis.next_test_worth);
   if (diagnosis.next_test_setup)
     text +=
         fmt::format("→ lacuna trial {} --test {} --setup {} --csv=next.csv{}\n", shell_word(file),
