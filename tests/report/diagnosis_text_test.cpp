@@ -153,6 +153,17 @@ TEST(DiagnosisText, SaysWhatToAddWithTheOptionsOfTheCommand) {
               HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge --db other.db\n"));
 }
 
+TEST(DiagnosisText, SaysThatTheAnswerOfAnUnfinishedSearchIsNotFinal) {
+  const char* unfinished =
+      "the search was not finished, so another effect may be the answer: to finish it, run lacuna diagnose rig.toml "
+      "--db other.db again; to add the best so far:\n→ lacuna add rig.toml coulomb_friction --where joint.hinge --db "
+      "other.db\n";
+  Diagnosis found = diagnosis(Verdict::effect_found);
+  EXPECT_THAT(diagnosis_text(found, "rig.toml", " --db other.db"), Not(HasSubstr("not finished")));
+  found.stopped = StoppedSearch{"the search", {"joint_spring @ joint.hinge"}, "Run the same command again."};
+  EXPECT_THAT(diagnosis_text(found, "rig.toml", " --db other.db"), HasSubstr(unfinished));
+}
+
 TEST(DiagnosisText, ShowsAsManyDigitsAsTheIntervalDeserves) {
   Diagnosis sharp = diagnosis(Verdict::effect_found);
   sharp.ranking.front().effects = {{"torque_gain", "actuator.motor", {{"gain", "1", 0.99837, 0.99812, 0.99862}}}};

@@ -186,6 +186,11 @@ std::string add_text(const Diagnosis& diagnosis, const std::string& file, const 
     text +=
         fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
   if (diagnosis.verdict != Verdict::effect_found) return text;
+  if (diagnosis.stopped)
+    text += fmt::format(
+        "the search was not finished, so another effect may be the answer: to finish it, run lacuna "
+        "diagnose {}{} again; to add the best so far:\n",
+        shell_word(file), options);
   if (diagnosis.ranking.front().effects.size() > 1)
     text += fmt::format("→ lacuna add {} --answer{}\n", shell_word(file), options);
   else
