@@ -8,7 +8,8 @@
 
 namespace lacuna {
 
-/// The recording formats of a catalog, which outlives it. The ending of a file's name chooses; the longest counts.
+/// The recording formats of a catalog, which outlives it. The ending of a file's name chooses; the longest counts. A
+/// folder that is a recording (foundation/recording_folder.h) is read as one file: its files, one after the other.
 class PluginRecordingFormats : public RecordingFormats {
  public:
   explicit PluginRecordingFormats(const PluginCatalog& catalog);
@@ -25,6 +26,12 @@ class PluginRecordingFormats : public RecordingFormats {
     std::vector<std::string> endings;
   };
   const Known* find(const std::filesystem::path& file) const;
+  RecordingContents contents_of_file(const std::filesystem::path& file) const;
+  ReadRows read_file(const std::filesystem::path& file, const std::vector<TableQuery>& queries) const;
+  /// The files of a recording's folder that a format reads, and why others that belong to it cannot be.
+  std::vector<std::filesystem::path> parts_of(const std::filesystem::path& folder,
+                                              std::vector<RecordingSentence>& problems) const;
+  ReadRows read_folder(const std::filesystem::path& folder, const std::vector<TableQuery>& queries) const;
 
   std::vector<Known> formats_;
 };

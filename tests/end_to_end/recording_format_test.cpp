@@ -92,5 +92,23 @@ INSTANTIATE_TEST_SUITE_P(OfOtherPrograms, RecordingFormats,
                            return name;
                          });
 
+/// Shells complete its name with a slash.
+TEST(FolderOfABag, IsTheRecordingInIt) {
+  const Program program;
+  program.copy_bags();
+  std::filesystem::create_directory(program.folder() / "run");
+  std::filesystem::rename(program.folder() / "arm.db3", program.folder() / "run" / "run_0.db3");
+  const Outcome without = program.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", "run/"});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.errors, HasSubstr("a folder of ROS 2 has a metadata.yaml"));
+  program.write("run/metadata.yaml", "rosbag2_bagfile_information:\n  relative_file_paths:\n    - run_0.db3\n");
+  const Outcome drafted = program.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", "run/"});
+  ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
+  EXPECT_THAT(program.read("rig.toml"), HasSubstr("files = [\"run\"]"));
+  const Outcome check = program.run({"check", "rig.toml"});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, HasSubstr("run from 0 s to 8.99 s"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -109,6 +109,71 @@ TEST(RecordedBags, JoinTopicsByTheirTimes) {
   EXPECT_THAT(notes, HasSubstr("/robot_description holds a robot description"));
 }
 
+/// A folder as `ros2 bag record` leaves it, with files of another format, which are easier to write.
+class RecordingFolders : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder_ / "run"); }
+  void write_metadata(const std::string& list) const {
+    folder_.write("run/metadata.yaml", "rosbag2_bagfile_information:\n  version: 5\n" + list + "  duration:\n");
+  }
+  ReadRows read(std::size_t most = 100) const {
+    return formats_.read(folder_ / "run", {{"", {"t", "q", "late"}, most}});
+  }
+  std::string problem() const {
+    const RecordingContents contents = formats_.contents(folder_ / "run");
+    return contents.problems.empty() ? "" : contents.problems.front().text;
+  }
+
+  TestFolder folder_;
+  const PluginRecordingFormats formats_{built_catalog()};
+};
+
+TEST_F(RecordingFolders, AreReadFileByFileInTheOrderOfTheirMetadata) {
+  write_metadata("  relative_file_paths:\n    - run/b.jsonl\n    - 'a.jsonl'\n");
+  folder_.write("run/b.jsonl", "{\"t\": 0.0, \"q\": 1}\n{\"t\": 0.1, \"q\": 2}\n");
+  folder_.write("run/a.jsonl", "{\"t\": 0.2, \"q\": 3, \"late\": 7}\n");
+  folder_.write("run/other.jsonl", "{\"t\": 9, \"q\": 9}\n");
+  ASSERT_TRUE(formats_.reads(folder_ / "run"));
+  const RecordedRows rows = read().tables.at(0);
+  EXPECT_THAT(rows.columns.at(0), testing::ElementsAre(0.0, 0.1, 0.2));
+  EXPECT_THAT(rows.columns.at(1), testing::ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_THAT(rows.columns.at(2), testing::ElementsAre(testing::IsNan(), testing::IsNan(), 7.0));
+  EXPECT_THAT(read(2).tables.at(0).columns.at(0), testing::ElementsAre(0.0, 0.1));
+}
+
+TEST_F(RecordingFolders, WithoutAListAreReadByTheNumbersInTheNames) {
+  write_metadata("");
+  folder_.write("run/run_10.jsonl", "{\"t\": 1.0, \"q\": 2, \"late\": 0}\n");
+  folder_.write("run/run_9.jsonl", "{\"t\": 0.0, \"q\": 1, \"late\": 0}\n");
+  EXPECT_THAT(read().tables.at(0).columns.at(1), testing::ElementsAre(1.0, 2.0));
+}
+
+/// Nanoseconds since 1970 are counted from another time in each file.
+TEST_F(RecordingFolders, GiveTheRowsOfTheBagInThem) {
+  write_metadata("  relative_file_paths:\n    - run_0.db3\n    - run_1.db3\n");
+  for (const char* part : {"run_0.db3", "run_1.db3"})
+    std::filesystem::copy_file(recorded("run.db3"), folder_ / "run" / part);
+  const TableQuery query = {"/joint_states", {"t", "position[hinge]"}};
+  const RecordedRows alone = formats_.read(recorded("run.db3"), {query}).tables.at(0);
+  const RecordedRows twice = formats_.read(folder_ / "run", {query}).tables.at(0);
+  const std::size_t rows = alone.columns.at(0).size();
+  ASSERT_EQ(twice.columns.at(0).size(), 2 * rows);
+  EXPECT_EQ(twice.origins, alone.origins);
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t row = 0; row < 2 * rows; ++row)
+      EXPECT_EQ(twice.columns[c][row], alone.columns[c][row % rows]) << c << " " << row;
+}
+
+TEST_F(RecordingFolders, SayWhatIsMissing) {
+  EXPECT_FALSE(formats_.reads(folder_ / "run")) << "it has no metadata.yaml";
+  write_metadata("");
+  EXPECT_THAT(problem(), HasSubstr("no recording beside it"));
+  folder_.write("run/run_0.db3.zstd", "");
+  EXPECT_THAT(problem(), HasSubstr("no file that can be read as a recording, but run_0.db3.zstd"));
+  write_metadata("  relative_file_paths:\n    - run_0.mcap\n");
+  EXPECT_THAT(problem(), HasSubstr("its file run_0.mcap: there is no such file; copy it there"));
+}
+
 TEST(RecordedFiles, KeepTheirFormatWhateverTheCaseOfTheirEnding) {
   const PluginRecordingFormats formats(built_catalog());
   EXPECT_TRUE(formats.reads("RUN.MCAP"));

@@ -13,6 +13,7 @@
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
+#include "foundation/recording_folder.h"
 #include "foundation/unit.h"
 #include "foundation/files/whole_file.h"
 #include "measurement/clocks/clock_check.h"
@@ -206,7 +207,9 @@ void add_new_command(CLI::App& program) {
   command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")
       ->required()
       ->option_text("FILE");
-  command->add_option("--from", options->files, "Measured files, required; the last of several is held out")
+  command
+      ->add_option("--from", options->files,
+                   "Measured files, or folders of ROS 2, required; the last of several is held out")
       ->required()
       ->option_text("FILE ...");
   command
@@ -230,7 +233,10 @@ void add_new_command(CLI::App& program) {
                    "Column that is a command, instead of a guess; may be repeated")
       ->allow_extra_args(false)
       ->option_text("COLUMN");
-  command->callback([options] { make_new(*options); });
+  command->callback([options] {
+    for (std::filesystem::path& file : options->files) file = without_last_slash(file);
+    make_new(*options);
+  });
 }
 
 }  // namespace lacuna

@@ -12,6 +12,7 @@
 #include "evaluation/prediction/step_count.h"
 #include "foundation/text/counted.h"
 #include "foundation/processes/guarded_call.h"
+#include "foundation/recording_folder.h"
 #include "storage/eea/eea_store.h"
 #include "storage/results/carried_out.h"
 #include "storage/results/stored_run.h"
@@ -136,9 +137,14 @@ Rig with_database(Rig rig, const CommonOptions& options) {
 std::vector<std::filesystem::path> input_files(const Experiment& experiment) {
   std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file,
                                               experiment.target.simulated.system.file};
+  const auto add = [&files](const std::filesystem::path& path) {
+    files.push_back(is_recording_folder(path) ? path / "metadata.yaml" : path);
+    if (!is_recording_folder(path)) return;
+    for (const std::filesystem::path& part : files_of_recording(path)) files.push_back(part);
+  };
   for (const MeasuredFile& file : experiment.target.recording.files) {
-    files.push_back(file.path);
-    for (const FurtherFile& further : file.with) files.push_back(further.path);
+    add(file.path);
+    for (const FurtherFile& further : file.with) add(further.path);
   }
   for (const ModelSection* section : {&experiment.model, &experiment.target.simulated.system})
     files.insert(files.end(), section->parts.begin(), section->parts.end());

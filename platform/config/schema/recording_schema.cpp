@@ -12,7 +12,7 @@ namespace lacuna {
 namespace {
 
 Value<std::vector<MeasuredFile>> measured_files(bool held_out, std::size_t fewest) {
-  const Value<std::filesystem::path> path = existing_file();
+  const Value<std::filesystem::path> path = existing_recording();
   Value<MeasuredFile> file;
   file.shape = path.shape;
   file.read = [path, held_out](const TomlNode& node, Reading& reading, MeasuredFile& result) {
@@ -137,7 +137,7 @@ Value<KnownOrFound> known_or_found(const std::string& unit) {
 
 Table<FurtherFile> further_file_keys() {
   return Table<FurtherFile>()
-      .required("file", &FurtherFile::path, existing_file(),
+      .required("file", &FurtherFile::path, existing_recording(),
                 "a further file of the same trial, with a clock of its own")
       .key("table", &FurtherFile::table, text(0),
            "of a file that has several, such as the topics of a bag: the one to be joined; empty: the only one")
@@ -162,7 +162,7 @@ Table<FurtherFile> further_file_keys() {
 /// A file with what holds for it alone.
 Table<MeasuredFile> recorded_file_keys() {
   return Table<MeasuredFile>()
-      .required("file", &MeasuredFile::path, existing_file(), "the measured file")
+      .required("file", &MeasuredFile::path, existing_recording(), "the measured file")
       .key("table", &MeasuredFile::table, text(0),
            "of a file that has several, such as the topics of a bag or the runs of an export (\"Run #2\"): the one "
            "whose "

@@ -193,15 +193,17 @@ Value<std::string> element_name() {
   return value;
 }
 
-Value<std::filesystem::path> existing_file() {
+namespace {
+
+Value<std::filesystem::path> existing(decltype(&resolve_existing_file) resolve) {
   Value<std::filesystem::path> value;
   value.shape.kind = Shape::Kind::text;
   value.shape.meaning = "a file's path";
-  value.read = [plain = text()](const TomlNode& node, Reading& reading, std::filesystem::path& result) {
+  value.read = [resolve, plain = text()](const TomlNode& node, Reading& reading, std::filesystem::path& result) {
     std::string written;
     if (!plain.read(node, reading, written)) return false;
     try {
-      result = resolve_existing_file(written, reading.directory());
+      result = resolve(written, reading.directory());
       return true;
     } catch (const Error& error) {
       reading.problem(node, error.what());
@@ -211,6 +213,11 @@ Value<std::filesystem::path> existing_file() {
   value.write = [](const std::filesystem::path& shown) { return shown.empty() ? "" : toml_text(shown.string()); };
   return value;
 }
+
+}  // namespace
+
+Value<std::filesystem::path> existing_file() { return existing(&resolve_existing_file); }
+Value<std::filesystem::path> existing_recording() { return existing(&resolve_recording); }
 
 Value<Eigen::Vector3d> vector3(const std::string& unit) {
   Value<std::vector<double>> list = list_of<double>(number(unit), 3);

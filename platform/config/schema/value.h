@@ -52,6 +52,8 @@ Value<std::string> element_name();
 bool is_element_name(std::string_view word);
 /// The path of a file that exists, variables such as `${LACUNA_DATA}` replaced.
 Value<std::filesystem::path> existing_file();
+/// The same of a recording, which may be a folder (foundation/recording_folder.h).
+Value<std::filesystem::path> existing_recording();
 /// x, y, z.
 Value<Eigen::Vector3d> vector3(const std::string& unit);
 /// `[lower, upper]`, in this order.

@@ -1,6 +1,7 @@
 #include "config/toml/path_variables.h"
 
 #include "foundation/files/special_file.h"
+#include "foundation/recording_folder.h"
 
 #include <lacuna/error.h>
 
@@ -32,14 +33,31 @@ std::string replace_variables(const std::string& written) {
   return text + written.substr(at);
 }
 
-std::filesystem::path resolve_existing_file(const std::string& written, const std::filesystem::path& directory) {
+namespace {
+
+std::filesystem::path resolve(const std::string& written, const std::filesystem::path& directory) {
   std::filesystem::path path = replace_variables(written);
   if (path.is_relative()) path = directory / path;
-  path = path.lexically_normal();
+  return path.lexically_normal();
+}
+
+}  // namespace
+
+std::filesystem::path resolve_existing_file(const std::string& written, const std::filesystem::path& directory) {
+  std::filesystem::path path = resolve(written, directory);
   std::error_code failure;
   if (!std::filesystem::exists(std::filesystem::status(path, failure))) throw Error("no such file: " + path.string());
   if (const std::string why = why_no_regular_file(path); !why.empty()) throw Error(path.string() + " " + why);
   return path;
+}
+
+std::filesystem::path resolve_recording(const std::string& written, const std::filesystem::path& directory) {
+  const std::filesystem::path path = without_last_slash(resolve(written, directory));
+  if (is_recording_folder(path)) return path;
+  std::error_code failure;
+  if (std::filesystem::is_directory(path, failure))
+    throw Error(path.string() + " is a folder without metadata.yaml, so no recording of ROS 2; name a file in it");
+  return resolve_existing_file(written, directory);
 }
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 #include "foundation/files/allowed_files.h"
 #include "foundation/files/special_file.h"
 #include "measurement/cells/utf8.h"
+#include "foundation/recording_folder.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,8 @@ struct FileCloser {
 std::string without_access(const std::filesystem::path& path) {
   check_may_read(path);
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return "is a folder; name the files in it one by one";
+  if (std::filesystem::is_directory(path, ignored))
+    return "is a folder; name the files in it one by one (a folder of ROS 2 has a metadata.yaml)";
   if (!std::filesystem::exists(path, ignored)) return "there is no such file";
   if (const std::string special = special_file(path); !special.empty() && !is_unnamed_pipe(path))
     return fmt::format("is {}, not a file; name a file", special);
@@ -114,6 +116,7 @@ std::string not_text(const std::string& bytes) {
 }  // namespace
 
 std::string why_no_file(const std::filesystem::path& path) {
+  if (is_recording_folder(path)) return {};
   if (std::string reason = without_access(path); !reason.empty()) return reason;
   if (is_unnamed_pipe(path)) return "is a pipe, from which CSV alone is read; name a file";
   if (::access(path.c_str(), R_OK) != 0) return fmt::format("cannot be opened: {}", std::strerror(errno));

@@ -13,7 +13,8 @@ inline constexpr const char* kNoNumbers =
     "and "
     "one for each reading";
 
-/// Why there is no file of that name that can be read from any place in it, half a sentence; empty: there is one.
+/// Why there is no file of that name that can be read from any place in it, half a sentence; empty: there is one, or a
+/// folder of such files that is one recording (foundation/recording_folder.h).
 std::string why_no_file(const std::filesystem::path& path);
 
 /// Reads a text file as UTF-8 with lines that end in \n or \r\n (those of old Macintosh programs,
