@@ -61,6 +61,14 @@ RobotSpec two_joints() {
   return robot;
 }
 
+/// The position of each joint, under names that say so.
+RobotSpec shoulder_and_elbow() {
+  RobotSpec robot = bare_arm({"shoulder", "elbow"});
+  add_sensor(robot, "shoulder_position", SensorKind::joint_position, "shoulder");
+  add_sensor(robot, "elbow_position", SensorKind::joint_position, "elbow");
+  return robot;
+}
+
 class MatchRobot : public testing::Test {
  protected:
   /// Guesses for a recording with these columns behind the time.
@@ -230,6 +238,16 @@ TEST_F(LoggedDrives, AreTorquesOfServosWhoseGoalsWereNotLogged) {
   for (ActuatorSpec& actuator : servos.actuators) actuator.kind = ActuatorKind::position_servo;
   EXPECT_EQ(drive("q0,q1,effort_0,effort_1", servos), ActuatorKind::force);
   EXPECT_EQ(drive("q0,q1,goal_q0,goal_q1,effort_0,effort_1", servos), std::nullopt);
+}
+
+/// "position" is in the names of both sensors.
+TEST_F(MatchRobot, AWordOfAllSensorsIsNoReason) {
+  const RigGuess found = guess("position_shoulder,position_wrist", shoulder_and_elbow());
+  ASSERT_EQ(found.sensors.size(), 2U);
+  EXPECT_EQ(found.sensors[0].column.name, "position_shoulder");
+  EXPECT_EQ(found.sensors[0].column.reason, "its name");
+  EXPECT_EQ(found.sensors[1].column.name, "position_wrist");
+  EXPECT_EQ(found.sensors[1].column.reason, "the only column that fits");
 }
 
 }  // namespace

@@ -105,17 +105,33 @@ bool has_same_name(const OpenChannel& slot, const GuessedColumn& column) {
 
 bool is_number(const std::string& word) { return number_in({word}).has_value(); }
 
-/// How many words of the column's name the channel and its element have too; none where these are only numbers: lists
-/// count from 0, joints mostly from 1.
-int shared_words(const OpenChannel& slot, const GuessedColumn& column) {
-  int shared = 0;
-  bool has_word = false;
+bool has_word(const OpenChannel& slot, const std::string& word) {
+  return std::ranges::find(slot.words, word) != slot.words.end();
+}
+
+/// Whether a channel of the slot's kind lacks the word, or there is no other of the kind. The word "position" tells
+/// nothing where all joints have a position.
+bool tells_apart(const OpenChannel& slot, const std::string& word, const std::vector<OpenChannel>& slots) {
+  const auto is_of_kind = [&](const OpenChannel& other) {
+    return other.is_actuator == slot.is_actuator && other.channel.unit == slot.channel.unit;
+  };
+  return std::ranges::count_if(slots, is_of_kind) == 1 || std::ranges::any_of(slots, [&](const OpenChannel& other) {
+           return is_of_kind(other) && !has_word(other, word);
+         });
+}
+
+/// How many words of the column's name the channel and its element have too; none where these are only numbers (lists
+/// count from 0, joints mostly from 1), or only words that all channels of its kind have.
+int shared_words(const OpenChannel& slot, const GuessedColumn& column, const std::vector<OpenChannel>& slots) {
+  int shared = 0, numbers = 0;
+  bool is_own = false;
   for (const std::string& word : words_of(column.name)) {
-    if (std::find(slot.words.begin(), slot.words.end(), word) == slot.words.end()) continue;
+    if (!has_word(slot, word)) continue;
     ++shared;
-    has_word = has_word || !is_number(word);
+    if (is_number(word)) ++numbers;
+    is_own = is_own || (!is_number(word) && tells_apart(slot, word, slots));
   }
-  return has_word ? shared : 0;
+  return is_own || (numbers > 0 && numbers < shared) ? shared : 0;
 }
 
 /// Gives columns to slots; what has been given is no candidate any more.
@@ -272,7 +288,7 @@ class Matching {
   bool match_best_words() {
     for (OpenChannel& slot : slots_)
       for (std::size_t i = 0; i < free_.size() && !slot.column; ++i) {
-        const int shared = shared_words(slot, free_[i]);
+        const int shared = shared_words(slot, free_[i], slots_);
         if (shared == 0 || !fits(slot, free_[i]) || !is_best(slot, i, shared)) continue;
         give(slot, i, "its name");
         return true;
@@ -282,10 +298,10 @@ class Matching {
 
   bool is_best(const OpenChannel& slot, std::size_t index, int shared) const {
     for (std::size_t i = 0; i < free_.size(); ++i)
-      if (i != index && fits(slot, free_[i]) && shared_words(slot, free_[i]) >= shared) return false;
+      if (i != index && fits(slot, free_[i]) && shared_words(slot, free_[i], slots_) >= shared) return false;
     return std::none_of(slots_.begin(), slots_.end(), [&](const OpenChannel& other) {
       return &other != &slot && !other.column && fits(other, free_[index]) &&
-             shared_words(other, free_[index]) >= shared;
+             shared_words(other, free_[index], slots_) >= shared;
     });
   }
 
