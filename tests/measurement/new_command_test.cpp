@@ -44,6 +44,17 @@ TEST_F(NewCommand, SaysThatCommasAreBothDecimalSignsAndDelimiters) {
   EXPECT_THAT(outcome.err, HasSubstr("semicolons or tabs (0,01;0,5)"));
 }
 
+/// A pendulum that was let go: nothing is held between its samples.
+TEST_F(NewCommand, SaysNothingOfHoldingWithoutCommands) {
+  std::string text = "t_s,angle_rad\n";
+  for (int i = 0; i < 200; ++i) text += fmt::format("{},{:.5f}\n", 0.01 * i, std::cos(0.05 * i));
+  const Outcome outcome = run_new({folder_.write("run.csv", text)});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, Not(HasSubstr("hold ")));
+  EXPECT_THAT(text_of(rig()), Not(HasSubstr("hold =")));
+  EXPECT_TRUE(expect_a_draft_that_works().trials[0].commands.series.channels.empty());
+}
+
 TEST_F(NewCommand, DraftsAServo) {
   std::string text = "t,angle_deg,angle_ref_deg\n";
   for (int i = 0; i < 100; ++i)

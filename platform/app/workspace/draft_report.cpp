@@ -109,7 +109,9 @@ void print_guesses(const RigDraft& draft) {
     print_column(is_set_point ? "set point" : "not used", column,
                  is_set_point ? "its name says what is wanted; drafted under target.controllers" : column.reason);
   }
-  std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first", guess.hold_reason.c_str());
+  if (!guess.commands.empty())
+    std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first",
+                guess.hold_reason.c_str());
   if (draft.interval > 0.0)
     std::printf("  %-18s %.4g Hz, %s\n", "sampling", 1.0 / draft.interval,
                 counted(draft.recording->trials.size(), "trial").c_str());

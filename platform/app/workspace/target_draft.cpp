@@ -153,8 +153,9 @@ std::string recordings_text(const RigDraft& draft) {
   } else if (draft.files.size() > 1 && !has_runs(draft)) {
     text += with_comment("holdout = " + file_list(draft, true), "guessed: the last file; kept from every fit");
   }
-  text += with_comment(guess.hold == Hold::zero_order ? "hold = \"zero\"" : "hold = \"first\"",
-                       "guessed: " + guess.hold_reason);
+  if (!guess.commands.empty())
+    text += with_comment(guess.hold == Hold::zero_order ? "hold = \"zero\"" : "hold = \"first\"",
+                         "guessed: " + guess.hold_reason);
   text += runs_text(draft);
   text += "\n[target.time]\n" +
           with_comment("column = " + toml_text(guess.time.name), "guessed: " + guess.time.reason) +
