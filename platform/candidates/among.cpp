@@ -3,6 +3,7 @@
 #include "candidates/hypothesis.h"
 #include "candidates/wrong_value.h"
 #include "foundation/address.h"
+#include "foundation/counted.h"
 
 #include <lacuna/physical_effect.h>
 
@@ -21,8 +22,8 @@ std::string reason_against(const EffectDescription& description, const ModelDefi
   for (const EffectEntry& entry : base.effects)
     if (entry.effect == name) return "the model has it already wherever it can be";
   std::vector<std::string> kinds;
-  for (const ElementKind kind : description.placements) kinds.emplace_back(to_string(kind));
-  return fmt::format("it acts on a {}, and the robot has none", fmt::join(kinds, " or a "));
+  for (const ElementKind kind : description.placements) kinds.push_back(with_article(std::string(to_string(kind))));
+  return fmt::format("it acts on {}, and the robot has none", fmt::join(kinds, " or "));
 }
 
 std::string objection(const std::string& name, const Experiment& experiment, const PluginCatalog& catalog,

@@ -1,6 +1,7 @@
 #include "foundation/address.h"
 
 #include "foundation/text/problem.h"
+#include "foundation/counted.h"
 
 #include <lacuna/error.h>
 
@@ -354,8 +355,8 @@ ElementMatch match_elements(const RobotSpec& robot, const std::vector<std::strin
     for (const NamedElement& element : elements) {
       if (!matches(pattern, element.address)) continue;
       if (!first && element.kind != match.kind)
-        throw Error("\"" + pattern + "\" names a " + std::string(to_string(element.kind)) + " beside a " +
-                    std::string(to_string(match.kind)) + "; place an effect on elements of one kind");
+        throw Error("\"" + pattern + "\" names " + with_article(std::string(to_string(element.kind))) + " beside " +
+                    with_article(std::string(to_string(match.kind))) + "; place an effect on elements of one kind");
       match.kind = element.kind;
       first = false;
       found = true;

@@ -1,6 +1,7 @@
 #include "loading/plugin_catalog.h"
 
 #include "foundation/text/shell_word.h"
+#include "foundation/counted.h"
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
 #include "loading/conformance.h"
@@ -252,7 +253,8 @@ std::string PluginCatalog::missing(std::string_view kind, const std::string& nam
   for (const auto& entry : entries_)
     if (entry->kind == kind) names.push_back(entry->origin.name);
   std::string text = "there is no " + noun + " \"" + name + "\"" + did_you_mean(name, names);
-  text += names.empty() ? "; there is no plugin with a " + noun : "; there is " + nearest_names(name, names);
+  text +=
+      names.empty() ? "; there is no plugin with " + with_article(noun) : "; there is " + nearest_names(name, names);
   if (names.size() > kMostNearest) text += "; lacuna plugins list --kind " + shell_word(noun) + " names all";
   text += "; searched in";
   for (std::size_t i = 0; i < folders_.size(); ++i) text += (i == 0 ? " " : ", ") + folders_[i].string();

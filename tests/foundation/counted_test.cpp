@@ -12,5 +12,12 @@ TEST(Counted, HasTheFormOfTheNumber) {
   EXPECT_EQ(counted(2, "body"), "2 bodies");
 }
 
+TEST(WithArticle, FollowsTheFirstLetter) {
+  EXPECT_EQ(with_article("actuator"), "an actuator");
+  EXPECT_EQ(with_article("effect"), "an effect");
+  EXPECT_EQ(with_article("joint"), "a joint");
+  EXPECT_EQ(with_article("unit"), "a unit");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -18,6 +18,7 @@
 #include "foundation/address.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
+#include "foundation/counted.h"
 #include "report/text/change_text.h"
 
 #include <CLI/CLI.hpp>
@@ -70,7 +71,8 @@ void check_id(const std::string& id, const EffectList& effects) {
     throw_problem({}, "--id " + id + ": cannot be a name; use letters, digits, _ and -");
   for (const EffectEntry& entry : effects)
     if (entry.id == id)
-      throw_problem({}, "--id " + id + ": is taken by a " + entry.effect + " of the model; choose another name");
+      throw_problem(
+          {}, "--id " + id + ": is taken by " + with_article(entry.effect) + " of the model; choose another name");
 }
 
 /// What the option was that became a key of the effect's entry, as it was typed.

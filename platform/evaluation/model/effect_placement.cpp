@@ -1,6 +1,7 @@
 #include "evaluation/model/effect_placement.h"
 
 #include "foundation/address.h"
+#include "foundation/counted.h"
 #include "foundation/placement_unit.h"
 #include "foundation/unit.h"
 
@@ -33,9 +34,8 @@ std::string parameter_list(const ParameterDeclarations& declarations) {
   return text;
 }
 
-std::string with_article(ElementKind kind) {
-  if (kind == ElementKind::world) return "the world";
-  return (kind == ElementKind::actuator ? "an " : "a ") + std::string(to_string(kind));
+std::string name_of(ElementKind kind) {
+  return kind == ElementKind::world ? "the world" : with_article(std::string(to_string(kind)));
 }
 
 bool same_elements(const RobotSpec& a, const RobotSpec& b) {
@@ -177,11 +177,11 @@ class EntryCheck {
     const std::vector<ElementKind>& allowed = description_.placements;
     if (std::find(allowed.begin(), allowed.end(), placed_.kind) != allowed.end()) return;
     std::string text;
-    for (const ElementKind kind : allowed) text += (text.empty() ? "" : " or ") + with_article(kind);
+    for (const ElementKind kind : allowed) text += (text.empty() ? "" : " or ") + name_of(kind);
     if (is_without_place_ && !allowed.empty())
       return complain(".where", fmt::format("is missing: {} acts on {}; say on which one, as in where = [\"{}.NAME\"]",
                                             entry_.effect, text, to_string(allowed.front())));
-    complain(".where", entry_.effect + " cannot be placed on " + with_article(placed_.kind) + "; place it on " + text);
+    complain(".where", entry_.effect + " cannot be placed on " + name_of(placed_.kind) + "; place it on " + text);
   }
 
   void check_units(const RobotSpec& robot) {

@@ -1,6 +1,7 @@
 #include "simulation/shared/robot_checks.h"
 
 #include "foundation/address.h"
+#include "foundation/counted.h"
 #include "foundation/link_angle.h"
 #include "foundation/text/number_text.h"
 #include "foundation/text/problem.h"
@@ -50,7 +51,7 @@ void check_names(const std::vector<Spec>& specs, const std::string& kind, Proble
   std::set<std::string> seen;
   for (const Spec& spec : specs) {
     if (spec.name.empty() || spec.name.find_first_of(".* ") != std::string::npos)
-      problems.add({}, "a " + kind + " of the robot is named \"" + spec.name +
+      problems.add({}, with_article(kind) + " of the robot is named \"" + spec.name +
                            "\"; give it a name without dots, stars and blanks");
     if (!seen.insert(spec.name).second)
       problems.add({}, "two " + kind + "s of the robot are called \"" + spec.name + "\"; names must differ");

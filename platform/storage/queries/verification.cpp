@@ -1,6 +1,7 @@
 #include "storage/queries/verification.h"
 
 #include "foundation/processes/interrupt.h"
+#include "foundation/counted.h"
 #include "storage/core/one_state.h"
 #include "storage/core/schema_check.h"
 #include "storage/core/statement.h"
@@ -30,7 +31,8 @@ void check_pages(const Database& database, std::vector<std::string>& damage) {
     if (found.text(0) != "ok") damage.push_back("SQLite: " + found.text(0));
   Statement keys(database, "PRAGMA foreign_key_check");
   while (keys.step())
-    damage.push_back(fmt::format("a row of {} refers to a {} that is not there", keys.text(0), keys.text(2)));
+    damage.push_back(
+        fmt::format("a row of {} refers to {} that is not there", keys.text(0), with_article(keys.text(2))));
 }
 
 void check_traces(const Database& database, std::vector<std::string>& damage) {
