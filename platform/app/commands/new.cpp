@@ -2,6 +2,7 @@
 #include "app/terminal/output.h"
 #include "app/workspace/draft_questions.h"
 #include "app/workspace/draft_report.h"
+#include "app/workspace/note_sentences.h"
 #include "app/workspace/rig_draft.h"
 #include "config/robots/robot_reader.h"
 #include "config/toml/text_file.h"
@@ -188,8 +189,8 @@ void make_new(const NewOptions& options) {
               counted(draft.files.size(), "recording").c_str());
   if (!asks_at_terminal()) print_guesses(draft);
   if (draft.recording)
-    for (const ReadingNote& note : draft.recording->notes)
-      std::printf("note  %s: %s\n", to_string(note.location).c_str(), note.message.c_str());
+    for (const std::string& sentence : note_sentences(draft.recording->notes))
+      std::printf("note  %s\n", sentence.c_str());
   if (!problems.empty())
     std::printf("to be mended in the recordings, or told in the experiment\n%s\n", problems.c_str());
   const std::string blank = '"' + std::string(kBlank);

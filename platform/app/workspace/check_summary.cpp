@@ -3,6 +3,7 @@
 #include "app/workspace/channel_extent.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/plain_text.h"
+#include "app/workspace/note_sentences.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ std::string drive_lines(const RecordingSource& source, const RobotSpec& robot) {
 
 std::string note_lines(const std::vector<ReadingNote>& notes) {
   std::string text;
-  for (const ReadingNote& note : notes) text += summary_line("note", to_string(note.location) + ": " + note.message);
+  for (const std::string& sentence : note_sentences(notes)) text += summary_line("note", sentence);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/terminal/output.h"
 #include "app/workspace/controller_notes.h"
+#include "app/workspace/note_sentences.h"
 #include "app/workspace/shared_database.h"
 #include "app/workspace/trial_target.h"
 #include "config/decided.h"
@@ -177,8 +178,9 @@ std::vector<Trial> Rig::fit_trials() const {
 }
 
 void Rig::tell_doubts() const {
-  for (const ReadingNote& note : notes)
-    if (note.doubt) fmt::print(stderr, "{}: {}\n", to_string(note.location), note.message);
+  std::vector<ReadingNote> doubts;
+  std::ranges::copy_if(notes, std::back_inserter(doubts), &ReadingNote::doubt);
+  for (const std::string& sentence : note_sentences(doubts)) fmt::print(stderr, "{}\n", sentence);
 }
 
 Rig open_rig(const CommonOptions& options) {
