@@ -48,12 +48,12 @@ _lacuna_offer() {  # what, beginning of the word
   local IFS=$'\n'
   case $1 in
     nothing | flag) return ;;
-    files | folders | views) compopt -o filenames 2>/dev/null ;;  # bash then quotes spaces
+    files | folders | rows | queries) compopt -o filenames 2>/dev/null ;;  # bash then quotes spaces
   esac
   case $1 in
     files) mapfile -t COMPREPLY < <(compgen -f -- "$2") ;;
     folders) mapfile -t COMPREPLY < <(compgen -d -- "$2") ;;
-    *) mapfile -t COMPREPLY < <(compgen -W "$(_lacuna_ask "$1")" -- "$2") ;;
+    *) mapfile -t COMPREPLY < <(compgen -W "$(_lacuna_ask "$1" "${COMP_WORDS[@]}")" -- "$2") ;;
   esac
 }
 
@@ -92,7 +92,8 @@ const char* word_for(Offered offered) {
     case Offered::effects: return "effects";
     case Offered::plugins: return "plugins";
     case Offered::kinds: return "kinds";
-    case Offered::views: return "views";
+    case Offered::rows: return "rows";
+    case Offered::queries: return "queries";
     case Offered::shells: return "shells";
     default: return "nothing";
   }
@@ -143,7 +144,7 @@ std::string arguments_of(const CommandFacts& command) {
 
 std::string questions(const CommandFacts& program) {
   std::string cases;
-  for (const Offered offered : {Offered::effects, Offered::plugins, Offered::kinds, Offered::views})
+  for (const Offered offered : {Offered::effects, Offered::plugins, Offered::kinds, Offered::rows, Offered::queries})
     cases += fmt::format("    {}) {} ;;\n", word_for(offered), question_for(offered));
   cases += fmt::format("    commands) printf '%s\\n' {} ;;\n", fmt::join(program.subcommands, " "));
   return cases + fmt::format("    shells) printf '%s\\n' {} ;;\n", fmt::join(completed_shells(), " "));

@@ -15,13 +15,14 @@ bool is_command(const CommandFacts& command, const std::vector<std::string>& wor
 std::vector<std::string> completed_shells() { return {"bash", "fish", "zsh"}; }
 
 Offered offered_for(const CommandFacts& command, const OptionFacts& option) {
-  if (is_command(command, {"help"}) && option.positional) return Offered::commands;
+  if ((is_command(command, {"help"}) || is_command(command, {"man"})) && option.positional) return Offered::commands;
   if (is_command(command, {"completion"}) && option.positional) return Offered::shells;
   if (is_command(command, {"add"}) && option.name == "effect") return Offered::effects;
   if (is_command(command, {"diagnose"}) && option.name == "among") return Offered::effects;
   if (is_command(command, {"plugins", "show"}) && option.name == "name") return Offered::plugins;
   if (is_command(command, {"plugins", "list"}) && option.name == "kind") return Offered::kinds;
-  if (is_command(command, {"sql"}) && option.name == "sql") return Offered::views;
+  if (is_command(command, {"sql"}) && option.name == "sql") return Offered::queries;
+  if (is_command(command, {"export"}) && option.name == "what") return Offered::rows;
   switch (option.value) {
     case OptionValue::file:
     case OptionValue::optional_file: return Offered::files;
@@ -38,7 +39,10 @@ std::string question_for(Offered offered) {
       return "lacuna plugins list --kind effect 2>/dev/null | sed -E 's/ {2,}/\\t/g' | cut -f2; echo wrong_value";
     case Offered::plugins: return components + " | cut -f2 | sort -u";
     case Offered::kinds: return components + " | cut -f1 | sort -u";
-    case Offered::views: return "lacuna sql --views 2>/dev/null | sed -n -E 's/^([a-z_0-9]+)$/SELECT * FROM \\1/p'";
+    case Offered::rows:
+      return "lacuna sql --views 2>/dev/null | sed -n -E 's/^([a-z_0-9]+)$/\\1/p'; for word do case $word in *.db) "
+             "lacuna sql \"$word\" --csv \"SELECT DISTINCT trial FROM traces\" 2>/dev/null | tail -n +2 ;; esac; done";
+    case Offered::queries: return "lacuna sql --views 2>/dev/null | sed -n -E 's/^([a-z_0-9]+)$/SELECT * FROM \\1/p'";
     default: return "";
   }
 }

@@ -41,7 +41,7 @@ std::string fish_values(Offered offered, const CommandFacts& program) {
     case Offered::folders: return " -a '(__fish_complete_directories)'";
     case Offered::commands: return " -a " + fish_word(fmt::format("{}", fmt::join(program.subcommands, " ")));
     case Offered::shells: return " -a " + fish_word(fmt::format("{}", fmt::join(completed_shells(), " ")));
-    default: return " -a " + fish_word("(sh -c " + fish_word(question_for(offered)) + ")");
+    default: return " -a " + fish_word("(sh -c " + fish_word(question_for(offered)) + " sh (commandline -opc))");
   }
 }
 

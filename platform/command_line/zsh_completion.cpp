@@ -12,7 +12,7 @@ constexpr const char* kZshBegin = R"sh(#compdef lacuna
 
 _lacuna_ask() {  # a command line that prints one name a line
   local answer
-  answer=$(sh -c $1)
+  answer=$(sh -c $1 sh $words)
   local -a names
   names=("${(@f)answer}")
   compadd "$@[2,-1]" -a names
@@ -73,7 +73,7 @@ std::string function_name(const CommandFacts& command) {
 /// One function for each of what the program is asked, for a question would need quoting within quotes.
 std::string zsh_questions() {
   std::string functions;
-  for (const Offered offered : {Offered::effects, Offered::plugins, Offered::kinds, Offered::views})
+  for (const Offered offered : {Offered::effects, Offered::plugins, Offered::kinds, Offered::rows, Offered::queries})
     functions += fmt::format("_lacuna_names_{}() {{ _lacuna_ask {} }}\n", static_cast<int>(offered),
                              zsh_word(question_for(offered)));
   return functions;

@@ -47,6 +47,7 @@ TEST_F(BashCompletion, HasTheCommandsAndThoseBelowThem) {
   EXPECT_THAT(offered("lacuna comp"), testing::UnorderedElementsAre("compare", "completion"));
   EXPECT_THAT(offered("lacuna plugins ''"), AllOf(Contains("list"), Contains("show"), Not(Contains("compare"))));
   EXPECT_THAT(offered("lacuna help diag"), ElementsAre("diagnose"));
+  EXPECT_THAT(offered("lacuna man diag"), ElementsAre("diagnose"));
   EXPECT_THAT(offered("lacuna completion ''"), ElementsAre("bash", "fish", "zsh"));
 }
 
@@ -74,6 +75,10 @@ TEST_F(BashCompletion, HasTheNamesOfEffectsAndViews) {
   EXPECT_THAT(offered("lacuna plugins list --kind eff"), ElementsAre("effect"));
   EXPECT_THAT(offered("lacuna plugins show recor"), Contains("recorded"));
   EXPECT_THAT(offered("lacuna sql x.db 'SELECT * FROM error'"), Contains("SELECT * FROM error_by_revision"));
+  EXPECT_THAT(offered("lacuna export x.db error"), Contains("error_by_revision"));
+  program_.copy_first_steps();
+  ASSERT_EQ(program_.run({"compare", "first-steps.toml", "--as-is"}).exit_code, 0);
+  EXPECT_THAT(offered("lacuna export first-steps.db sin"), ElementsAre("sine.csv"));
 }
 
 /// Shells that need not be there.
