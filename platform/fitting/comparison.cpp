@@ -8,6 +8,7 @@
 #include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "measurement/clocks/clock_check.h"
+#include "foundation/unit.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +31,7 @@ constexpr double kPartOfTrial = 0.5;                                ///< that a 
 
 /// The noise that fit trials show; of channels that only held-out trials have, theirs.
 std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
+  if (!task.sensors.empty()) return task.sensors;
   std::vector<Trial> fit_trials;
   for (const Trial& trial : task.trials)
     if (!trial.held_out) fit_trials.push_back(trial);
@@ -47,6 +49,13 @@ FreeRun with_start_errors(FreeRun run) {
   run.start.axes /= run.start.misfit;
   for (RunPiece& piece : run.pieces) piece.start.axes /= piece.start.misfit;
   return run;
+}
+
+/// The line of an experiment file that declares it.
+std::string declaration_of(const ChannelNoise& noise) {
+  const std::string value = fmt::format("{:.2g}", noise.deviation);
+  return fmt::format("{} = {{ ..., noise = {} }}", noise.channel,
+                     noise.unit == "1" ? value : fmt::format("\"{} {}\"", value, noise.unit));
 }
 
 double shortest_restart(const StartStates& states, std::size_t trials) {
@@ -85,6 +94,7 @@ class Comparer {
     score_horizons();
     result_.pooled = pool(result_.trials, result_.floors);
     name_restarts();
+    name_guessed_noise();
     name_unscored();
     name_coarse_steps();
     name_worse_than_written();
@@ -164,6 +174,21 @@ class Comparer {
           "corrects it, so errors of longer predictions grow without bound. Where a controller made the torques, state "
           "it in [target.controllers] with drive = \"controllers\" to predict whole recordings",
           restart_));
+  }
+
+  void name_guessed_noise() {
+    std::string guesses, line;
+    for (const ChannelNoise& noise : noise_) {
+      if (!noise.is_guess) continue;
+      guesses += fmt::format("{}{} {}", guesses.empty() ? "" : ", ", noise.channel,
+                             format_quantity(noise.deviation, noise.unit));
+      if (line.empty()) line = declaration_of(noise);
+    }
+    if (!guesses.empty())
+      result_.notes.push_back(fmt::format(
+          "noise is estimated where it is not declared and nothing rests long enough to show it: {}. If the "
+          "data sheet tells it, write it under [target.sensors], as in {}",
+          guesses, line));
   }
 
   /// A trial without a sample to score must not pass for one without error.

@@ -26,7 +26,8 @@ struct ComparisonTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
-  bool cross_check = false;  ///< with the other engine
+  bool cross_check = false;                ///< with the other engine
+  std::vector<ChannelNoise> sensors = {};  ///< of every measured channel; empty: `sensor_noise` of the trials
 };
 
 /// How well one channel is predicted, over the scored samples. Residual = measured − predicted.

@@ -187,23 +187,4 @@ PredictionLadder thinned(const PredictionLadder& ladder, std::size_t samples) {
   return few;
 }
 
-std::vector<ChannelNoise> noise_of_readings(const SmoothedStarts& starts, const std::vector<Trial>& trials,
-                                            std::vector<ChannelNoise> noise) {
-  std::vector<double> squares(noise.size(), 0.0), counts(noise.size(), 0.0);
-  for (std::size_t t = 0; t < trials.size(); ++t)
-    for (std::size_t column = 0; column < trials[t].measured.channels.size(); ++column)
-      for (std::size_t c = 0; c < noise.size(); ++c) {
-        const double found = starts.reading_noise(t, static_cast<Eigen::Index>(column));
-        if (noise[c].channel != trials[t].measured.channels[column].name || !(found > 0.0)) continue;
-        squares[c] += found * found;
-        counts[c] += 1.0;
-      }
-  for (std::size_t c = 0; c < noise.size(); ++c) {
-    if (counts[c] == 0.0 || noise[c].origin.starts_with("declared")) continue;
-    noise[c].deviation = std::sqrt(squares[c] / counts[c]);
-    noise[c].origin = "smoothed readings";
-  }
-  return noise;
-}
-
 }  // namespace lacuna

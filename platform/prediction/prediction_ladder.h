@@ -60,8 +60,4 @@ double root_of_channels(const std::vector<ChannelNoise>& noise);
 /// channels, since each sample has a reading of every one; at least two.
 PredictionLadder thinned(const PredictionLadder& ladder, std::size_t samples);
 
-/// Standard deviations of readings: as declared, else as the smoother found them, else as `noise` has them.
-std::vector<ChannelNoise> noise_of_readings(const SmoothedStarts& starts, const std::vector<Trial>& trials,
-                                            std::vector<ChannelNoise> noise);
-
 }  // namespace lacuna

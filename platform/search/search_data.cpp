@@ -1,6 +1,7 @@
 #include "search/search_data.h"
 
 #include "config/decided.h"
+#include "prediction/reading_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -45,6 +45,23 @@ TEST(Diagnose, InterruptedGoesOnToTheSameAnswer) {
   EXPECT_THAT(unfinished(parts), HasSubstr("\n0"));
 }
 
+/// Where nothing declares the noise, both estimate it, and in one way.
+TEST(Diagnose, HasTheNoiseFloorOfCompare) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program
+                .shell("sed -i -e '/^noise = /d' -e '/^quantum = /d' robots/servo-pendulum.toml && "
+                       "sed -i '/^\\[noise\\]/,$d' first-steps.toml")
+                .exit_code,
+            0);
+  const Outcome compared = program.run({"compare", "first-steps.toml", "--as-is", "--json=compared.json"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.errors;
+  ASSERT_EQ(program.run(kDiagnose).exit_code, 0);
+  const nlohmann::json pooled = nlohmann::json::parse(program.read("compared.json"))["pooled"][0];
+  EXPECT_EQ(pooled["floor_origin"], "estimated by smoothing the readings");
+  EXPECT_DOUBLE_EQ(pooled["floor"].get<double>(), found(program)["noise_floor"]["angle"].get<double>());
+}
+
 /// A servo's friction that grows with the load, its motor constant unknown, by recordings that an independent program
 /// made (experiments/data/lifting_servo).
 TEST(Diagnose, TwoKnownLoadsTellLoadFrictionFromTheMotorsConstant) {

@@ -227,5 +227,17 @@ TEST(Compare, GivesTheSameDigitsForAnyNumberOfThreads) {
   }
 }
 
+/// A spring that swings from the first sample to the last, in whose recording nothing shows the noise alone.
+TEST(Compare, SaysWhereToDeclareANoiseThatIsAGuess) {
+  Trial trial = from_given_start(spring_trial(kNoise, 1));
+  EXPECT_THAT(compare_spring({trial}, 0.5).notes,
+              testing::Not(testing::Contains(testing::HasSubstr("noise is estimated"))));
+  trial.sensor_noise.clear();
+  EXPECT_THAT(compare_spring({trial}, 0.5).notes,
+              testing::Contains(
+                  testing::AllOf(testing::HasSubstr("noise is estimated where it is not declared"),
+                                 testing::HasSubstr("under [target.sensors], as in angle = { ..., noise = \"0.00"))));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -5,6 +5,7 @@
 #include "data_checks/data_doubts.h"
 #include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
+#include "prediction/reading_noise.h"
 
 #include <fmt/format.h>
 
@@ -54,16 +55,18 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
   const int look = looks ? ledger_.count_look(revision()) : 0;
   const std::unique_ptr<CompiledModel> finer = compile_finer(rig_.definition);
   ProgressLine line(options_.quiet);
-  ComparisonTask task{.definition = rig_.definition,
-                      .model = *rig_.model,
-                      .trials = trials,
-                      .noise = rig_.experiment.noise,
-                      .values = fit.parameters(),
-                      .finer = finer.get(),
-                      .seed = seed_,
-                      .threads = threads_,
-                      .progress = line.callback(),
-                      .cross_check = cross_check};
+  ComparisonTask task{
+      .definition = rig_.definition,
+      .model = *rig_.model,
+      .trials = trials,
+      .noise = rig_.experiment.noise,
+      .values = fit.parameters(),
+      .finer = finer.get(),
+      .seed = seed_,
+      .threads = threads_,
+      .progress = line.callback(),
+      .cross_check = cross_check,
+      .sensors = noise_of_readings(rig_.definition.structure.robot, TrialPredictor(*rig_.model, rig_.trials, 1))};
   Compared compared{compare(task), look, {}};
   if (revision_) compared.id = keep(trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt);
   return compared;

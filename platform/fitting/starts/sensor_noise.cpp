@@ -18,6 +18,7 @@ namespace {
 struct Figure {
   double deviation = 0.0;
   std::string origin;
+  bool is_guess = false;
 };
 
 /// Root mean square of what the columns of the trials declare.
@@ -80,8 +81,9 @@ Figure from_second_differences(const std::vector<Trial>& trials, const std::stri
   if (deviation > resolution)
     return {
         deviation,
-        "from the recording's second differences, nothing is declared and nothing rests; fast motion counts as noise"};
-  return {resolution, "resolution of a double, the recording shows no noise"};
+        "from the recording's second differences, nothing is declared and nothing rests; fast motion counts as noise",
+        true};
+  return {resolution, "resolution of a double, the recording shows no noise", true};
 }
 
 const SensorSpec* touch_sensor(const RobotSpec& robot, const std::string& channel) {
@@ -117,7 +119,7 @@ ChannelNoise noise_of(const RobotSpec& robot, const std::vector<Trial>& trials, 
   if (!figure && touch && touch->scale != 0.0) figure = from_switches(trials, *touch);
   if (!figure) figure = found_at_rest(trials, channel);
   if (!figure) figure = from_second_differences(trials, channel.name);
-  return {channel.name, channel.unit, figure->deviation, figure->origin};
+  return {channel.name, channel.unit, figure->deviation, figure->origin, figure->is_guess};
 }
 
 }  // namespace
