@@ -21,19 +21,19 @@ struct VerdictCalibration {
   double intercept = 0.0;
   std::vector<CalibrationTerm> terms;
 
-  /// Figures beyond the range count as its end; those that are not there as its middle.
+  /// A figure beyond its range counts as the nearer end of the range; a missing figure counts as the middle.
   double probability(const Evidence& evidence) const;
 };
 
-/// By verdict; what is not there is not calibrated.
+/// By verdict; a verdict that is not listed has no calibration.
 using Calibration = std::map<std::string, VerdictCalibration>;
 
-/// How often verdicts with such evidence were right in cases whose missing effect was known: a logistic regression
-/// (J. C. Platt, Advances in Large Margin Classifiers, MIT Press 2000, 61-74) that the benchmark of hidden effects fits
-/// and writes into calibration.json, which is compiled in.
+/// How often verdicts with such evidence were right in cases whose missing effect was known: a logistic regression (J.
+/// C. Platt, Advances in Large Margin Classifiers, MIT Press 2000, 61-74). The benchmark of hidden effects fits it and
+/// writes calibration.json, which is compiled in.
 struct ShippedCalibration {
   Calibration all;
-  std::map<std::string, Calibration> without;  ///< by rig: fitted to the cases of all other rigs, to be tested on it
+  std::map<std::string, Calibration> without;  ///< by rig: fitted to the cases of all other rigs and tested on this one
 };
 
 const ShippedCalibration& shipped_calibration();

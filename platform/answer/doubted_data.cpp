@@ -5,7 +5,7 @@
 namespace lacuna {
 
 void add_doubts(const std::vector<Doubt>& doubts, Diagnosis& result) {
-  std::size_t faults = result.stopped ? 1 : 0;  // that the search was stopped stands first
+  std::size_t faults = result.stopped ? 1 : 0;  // the sentence about a stopped search stays first
   for (const Doubt& doubt : doubts) {
     const bool is_fault = doubt.severity == Severity::fault;
     const auto end = result.findings.end();

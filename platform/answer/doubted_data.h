@@ -7,9 +7,9 @@
 
 namespace lacuna {
 
-/// Says the doubts beside a verdict, faults first. A fault makes no verdict and takes no answer away; but of faulty
-/// data nobody can say that nothing is missing, and no probability is stated, for no case of the calibration has such
-/// data.
+/// Adds the sentences of the data checks to a diagnosis, faults first. A fault changes neither the verdict
+/// `effect_found` nor its answer. With faulty data, however, `nothing_missing` cannot be concluded, and no probability
+/// is stated because the calibration has no such cases.
 void add_doubts(const std::vector<Doubt>& doubts, Diagnosis& result);
 
 }  // namespace lacuna

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostSure = 10.0;  ///< standard errors; more is no surer
+constexpr double kMostSure = 10.0;  ///< standard errors; a larger lead makes a verdict no surer
 constexpr double kSmallest = 1e-3;  ///< nats
 
 double sureness(const CostGain& gain) {
@@ -22,14 +22,14 @@ bool has_all_of(const FittedModel& set, const FittedModel& part) {
   return std::includes(own.begin(), own.end(), of_part.begin(), of_part.end());
 }
 
-/// Whether a set is the answer or a look-alike, perhaps with more beside it.
+/// Whether a set contains the answer or a set that is indistinguishable from it.
 bool says_the_same(const SearchResult& found, const FittedModel& set) {
   const std::vector<std::size_t>& alike = found.decision.alike;
   return has_all_of(set, answer_of(found)) ||
          std::any_of(alike.begin(), alike.end(), [&](std::size_t i) { return has_all_of(set, found.sets[i]); });
 }
 
-/// The share of lengths and folds, which are recordings or thirds of time, at which the answer lowers the cost.
+/// The share of lengths and folds (recordings, or thirds of time) in which the answer lowers the cost.
 double share_of_help(const SearchResult& found) {
   const Eigen::MatrixXd gains = found.sets.front().judged.cost.by_length - answer_of(found).judged.cost.by_length;
   Eigen::MatrixXd by_fold = Eigen::MatrixXd::Zero(gains.rows(), static_cast<Eigen::Index>(found.layout.folds));
@@ -39,7 +39,7 @@ double share_of_help(const SearchResult& found) {
   return static_cast<double>((by_fold.array() > 0.0).count()) / static_cast<double>(by_fold.size());
 }
 
-/// What the least of the answer's effects adds to the others, of the gain of all.
+/// The smallest contribution of one of the answer's effects, as a share of the gain of all of them.
 double least_part(const SearchResult& found) {
   const FittedModel& answer = answer_of(found);
   double least = 1.0;

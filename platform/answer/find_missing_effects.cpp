@@ -42,8 +42,8 @@ EffectSearchTask search_task(const DiagnosisTask& task, ProgressMeter& meter) {
   return search;
 }
 
-/// Whether a controller made the commands, so that what is identified from them is not what it is with the controller
-/// in the loop.
+/// Whether a controller made the commands. Then values identified from the recorded commands may differ from those with
+/// the controller in the loop.
 void look_for_feedback(const DiagnosisTask& task, const SearchResult& found, ProgressMeter& meter, Diagnosis& result) {
   if (!has_controller(task.trials)) return;
   meter.end_part();
@@ -55,7 +55,7 @@ void look_for_feedback(const DiagnosisTask& task, const SearchResult& found, Pro
         feedback_bias({answer.definition, *answer.model, task.trials, answer.experiment.fit, task.seed, task.threads});
   } catch (const TimeIsUp&) {  // the answer stands
     lift_time_limit();
-    findings = {"feedback bias was not examined: the time limit was reached"};
+    findings = {"feedback bias was not checked: the time limit was reached"};
   }
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());
 }
@@ -86,8 +86,8 @@ Diagnosis diagnose(const DiagnosisTask& task, ProgressMeter& meter) {
 Diagnosis find_missing_effects(const DiagnosisTask& task) {
   if (std::all_of(task.trials.begin(), task.trials.end(), [](const Trial& trial) { return trial.held_out; }))
     throw Error(
-        "there is no trial to diagnose: name a measured file that is not held out, or, where the target is simulated, "
-        "let lacuna trial make some");
+        "no trial to diagnose: name a recorded file that is not held out; for a simulated target, make trials with "
+        "lacuna trial");
   ProgressMeter meter(task.progress);
   meter.set_parts(kSteps);
   Diagnosis result;

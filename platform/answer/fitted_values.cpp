@@ -14,7 +14,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSaysSomething = 0.9;     ///< of the deviation of a value anywhere within its bounds
+/// Standard deviation of a value that may lie anywhere between its bounds, as a share of their distance.
+constexpr double kSaysSomething = 0.9;
 constexpr double kAtBound = 1e-9;          ///< of a range
 constexpr double kToldTiming = 1.0 / 3.0;  ///< command intervals
 
@@ -32,7 +33,7 @@ std::vector<HeldParameter> held_values(const ModelStructure& structure, const Ef
   return held;
 }
 
-/// What the robot file has where it may be wrong.
+/// The value of the robot file, for a fixed value that may be wrong.
 double stated_value(const std::vector<FreeValue>& free, const EffectEntry& entry) {
   return std::find_if(free.begin(), free.end(), [&](const FreeValue& one) { return belongs_to(one, entry); })->start;
 }

@@ -20,9 +20,9 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kMostRanked = 8;
-constexpr double kAboveFloor = 3.0;      ///< of the model's error: what leaves more is no noise of readings
-constexpr double kFarAboveFloor = 20.0;  ///< of the same: what leaves so much is not right
-constexpr double kMostLeft = 0.25;       ///< of all that is gained, that a law of no effect may gain beside an answer
+constexpr double kAboveFloor = 3.0;  ///< of the model's error: a larger error with the answer cannot be sensor noise
+constexpr double kFarAboveFloor = 20.0;  ///< of the model's error: a candidate with a larger error cannot be right
+constexpr double kMostLeft = 0.25;       ///< of the total gain: what a law without an effect may gain beside an answer
 constexpr double kBeyond = kWithin95;    ///< standard errors
 constexpr double kMoved = 2.0;           ///< standard errors
 constexpr double kNoticeable = 0.01;     ///< of a value
@@ -87,7 +87,7 @@ class Told {
     return law.is_present && law.share > kMostLeft && !law.is_minor;
   }
 
-  /// Whether what no effect explains is more than a remainder beside an answer.
+  /// Whether the force that no effect explains is more than a small rest beside an answer.
   bool ends_library() const { return has_answer() ? is_more_than_remainder(law_) : law_.is_present; }
 
   Verdict verdict(double base_times_floor) const {
@@ -96,7 +96,7 @@ class Told {
     return found_.stopped || base_times_floor > kFarAboveFloor ? Verdict::cannot_tell : Verdict::nothing_missing;
   }
 
-  /// The answer, if it has effects, then the others that have, the largest gain first.
+  /// The answer, if it has effects, then the other sets with effects, the largest gain first.
   std::vector<const FittedModel*> shown() const {
     std::vector<const FittedModel*> sets;
     for (const FittedModel& set : found_.sets)
@@ -126,21 +126,21 @@ class Told {
     if (has_answer()) {
       add(absorbed(result.values));
       if (found_.by_all_lengths)
-        add("only predictions over the longest times show it; shorter ones are as good without it");
+        add("only the longest predictions show the effect; shorter ones are as good without it");
     }
     add(left(result));
     if (result.verdict == Verdict::nothing_missing && result.base_times_floor > kAboveFloor)
-      add(fmt::format(
-          "predictions are off by {:.3g} × floor, which is more than readings scatter, and neither an effect of the "
-          "library nor a law of what the joints do lowers that where it was not fitted: it is as random forces or "
-          "something that was not recorded would make it",
-          result.base_times_floor));
+      add(
+          fmt::format("predictions are off by {:.3g} × floor, more than sensor noise explains. No effect of the "
+                      "library and no law of the joints' motion lowers this error on data to which it was not fitted. "
+                      "Random forces or an unrecorded influence would look like this",
+                      result.base_times_floor));
     if (result.verdict == Verdict::cannot_tell && !found_.stopped)
-      add(fmt::format(
-          "predictions are off by {:.3g} × floor, and neither an effect of the library nor a law of what the "
-          "joints do lowers that where it was not fitted: what is missing is not told by these recordings; "
-          "record other commands, starts or loads",
-          result.base_times_floor));
+      add(
+          fmt::format("predictions are off by {:.3g} × floor. No effect of the library and no law of the joints' "
+                      "motion lowers this error on data to which it was not fitted, so these recordings do not show "
+                      "what is missing; record other commands, initial states or loads",
+                      result.base_times_floor));
     for (std::string& text : bound_findings(answer_.model.definition.free, result.values)) add(std::move(text));
     add(off_time());
     add(unread());
@@ -148,7 +148,7 @@ class Told {
     return all;
   }
 
-  /// Where the library is not enough, of what the model lacks; else of what the answer leaves.
+  /// Where the library is not enough: the law of all that the model lacks; else: of what the answer leaves unexplained.
   void tell_law(Diagnosis& result) const {
     result.residual_force = lacking_.curves;
     result.formulas = lacking_.formulas;
@@ -156,38 +156,37 @@ class Told {
     if (law_.is_present) result.unexplained = {lacking_.joint, lacking_.kind, law_.share, in_nats(law_.gain)};
   }
 
-  /// What no effect of the library explains.
+  /// The force that no effect of the library explains.
   std::string left(const Diagnosis& result) const {
     if (!law_.is_present) return "";
     const std::string where = "joint." + lacking_.joint;
     if (!has_answer() && !found_.data->task().among.empty())
       return fmt::format(
-          "none of the effects that were tried describes the missing force on {}, which depends on {}; leave --among "
-          "out "
-          "to try all",
+          "no effect that was tried describes the missing force on {}, which depends on {}; leave --among out to try "
+          "all effects",
           where, lacking_.kind);
     if (!has_answer())
       return fmt::format("no effect of the library describes the missing force on {}, which depends on {}", where,
                          lacking_.kind);
     if (ends_library())
       return fmt::format(
-          "no effect of the library describes the missing force on {}, which depends on {}: the best effects leave "
-          "{:.0f} % "
-          "of the total gain",
+          "no effect of the library describes the missing force on {}, which depends on {}; the best effects leave "
+          "{:.0f} % of the total gain to it",
           where, lacking_.kind, 100.0 * law_.share);
-    const char* form = has_another_form(result) ? ", as the answer does: its law probably has another form" : "";
+    const char* form =
+        has_another_form(result) ? ", as the answer does, so the answer's law probably has another form" : "";
     return fmt::format("an unexplained force remains on {}, {:.0f} % of the total gain; it depends on {}{}", where,
                        100.0 * law_.share, law_.kind, form);
   }
 
-  /// Whether what is left goes with the quantity over which the answer makes most of the missing force.
+  /// Whether the remaining force depends on the same quantity over which the answer explains most of the missing force.
   bool has_another_form(const Diagnosis& result) const {
     return std::any_of(result.missing_force.begin(), result.missing_force.end(), [&](const ForceCurve& curve) {
       return curve.joint == law_.joint && curve.of == law_.kind && 2.0 * norm(curve.by_answer) > norm(curve.force);
     });
   }
 
-  /// Own values that the answer moves.
+  /// The model's own values that the answer changes.
   std::string absorbed(const std::vector<FoundParameter>& now) const {
     std::vector<std::string> moved;
     for (const FoundParameter& before : FittedValues(found_, base_).own())
@@ -201,22 +200,21 @@ class Told {
     return moved.empty() ? "" : fmt::format("{} had absorbed the effect", fmt::join(moved, ", "));
   }
 
-  /// A user who simulates with the commands as recorded meets what is left by that.
+  /// Beyond this offset a user who simulates with the recorded commands sees an error from it.
   std::string off_time() const {
     const FittedValues values(found_, answer_);
     const std::optional<double> timing = values.timing();
     if (!timing || !values.timing_is_told() || std::abs(*timing) < kOffTime) return "";
     return fmt::format(
-        "timestamp offset: commands act {} earlier than recorded; this fit corrects it, compare and trial do not, "
-        "unless "
-        "the times of commands are shifted by as much",
+        "timestamp offset: commands act {} earlier than recorded. This fit corrects it; compare and trial do not. To "
+        "correct it there, shift the times of the commands by as much",
         format_quantity(std::abs(*timing) * longest_command_interval(found_.data->task().trials), "s"));
   }
 
   std::string unread() const {
     const std::vector<std::string> missing = found_.data->starts().states().unmeasured(0);
     if (missing.empty()) return "";
-    return fmt::format("{} has no measured position: predictions begin where the recordings do, and nowhere else",
+    return fmt::format("{} has no measured position, so predictions can begin only at the start of a recording",
                        fmt::join(missing, ", "));
   }
 
@@ -224,18 +222,17 @@ class Told {
     const double whole = longest_trial(found_.data->task().trials);
     if (!(longest > 0.0) || longest > kLongEnough * whole) return "";
     return fmt::format(
-        "predictions are judged over {:.2g} s at most, of recordings of {:.3g} s: over longer ones what is unknown of "
-        "a "
-        "start grows to more than a quarter of the motion; what acts more slowly (a drift, warming, a clock) is not "
-        "told",
+        "the longest predictions are {:.2g} s, in recordings of {:.3g} s: in longer ones the uncertainty of the "
+        "initial state exceeds a quarter of the motion. Slower effects (a drift, warming, a clock error) cannot be "
+        "seen",
         longest, whole);
   }
 
   const SearchResult& found_;
   const FittedModel& base_;
   const FittedModel& answer_;
-  ResidualLaw law_;      ///< beside the answer, or the best set, or instead of it
-  ResidualLaw lacking_;  ///< the same, but of the model as it is where the library ends
+  ResidualLaw law_;      ///< fitted beside the answer or the best set, or without either
+  ResidualLaw lacking_;  ///< the same, but of the model as it is where the library is not enough
 };
 
 }  // namespace

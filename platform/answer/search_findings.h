@@ -5,7 +5,8 @@
 
 namespace lacuna {
 
-/// What a search says: verdict, ranking, errors, values, and sentences about them. No probability, no doubts.
+/// The findings of a search: verdict, ranking, errors, values, and sentences about them. Without probability and data
+/// checks.
 Diagnosis findings_of(const SearchResult& found);
 
 }  // namespace lacuna

@@ -13,7 +13,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSurelyBehind = 3.0;  ///< standard errors
+constexpr double kSurelyBehind =
+    3.0;  ///< The cheapest of the sets that are indistinguishable from the answer; where there are none, the nearest
+          ///< set with another meaning unless the answer's lead is sure. Null: there is none.
 
 /// Of the sets that are indistinguishable from the answer, the one that costs least; where there are none, the nearest
 /// that says something else, unless it is surely behind. Null: there is none.
@@ -26,8 +28,8 @@ const FittedModel* rival_of(const SearchResult& found) {
   return other.set && !other.set->model.added.empty() && other.lead < kSurelyBehind ? other.set : nullptr;
 }
 
-/// As the first recording begins. What the answer leaves of the shortest predictions is noise of single readings; what
-/// it leaves of the longest beyond that stays alike for about as long as the shortest.
+/// A test begins as the first recording does. The answer's residual of the shortest predictions is noise of single
+/// readings; the additional residual of the longest ones is correlated over about the shortest length.
 TestConditions conditions(const SearchResult& found, const std::vector<HorizonError>& errors, double period) {
   TestConditions conditions;
   const std::vector<Trial>& trials = found.data->task().trials;
@@ -55,9 +57,9 @@ FittedRival rival(const FittedModel& set, const FittedValues& values) {
           values.timing(), values.covariance()};
 }
 
-/// Whether a test tells enough for a trip to the rig, and more than a random one does.
+/// Whether a test is worth a trip to the rig and worth more than a random test.
 bool is_worthwhile(const NextTest& test) {
-  constexpr double kWorthwhile = 1.0;  // nats a trial: less is not worth a trip to the rig
+  constexpr double kWorthwhile = 1.0;  // nats per trial: a smaller worth does not justify a trip to the rig
   constexpr double kMostTrips = 20.0;
   return test.nats > test.random_nats && test.nats > kWorthwhile && test.trials <= kMostTrips;
 }
@@ -65,7 +67,7 @@ bool is_worthwhile(const NextTest& test) {
 void state(const NextTest& test, Diagnosis& diagnosis) {
   if (!is_worthwhile(test)) {
     diagnosis.findings.push_back(
-        fmt::format("no test like these was found that would tell {} from {}; other commands or one more sensor may",
+        fmt::format("no test within these limits would tell {} from {}; try other commands or add a sensor",
                     test.rivals[0], test.rivals[1]));
     return;
   }

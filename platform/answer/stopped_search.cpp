@@ -15,7 +15,7 @@ namespace {
 
 std::string what_to_do(std::size_t kept_models) {
   if (kept_models > 0)
-    return fmt::format("Run the same command again: it goes on after {}, which this call has finished.",
+    return fmt::format("Run the same command again: it continues after {} that this call has finished.",
                        counted(kept_models, "model"));
   return "Run the command again with a longer --time-limit, or without one.";
 }
@@ -37,9 +37,9 @@ void mark_stopped(StoppedSearch stop, std::size_t kept_models, Diagnosis& diagno
   stop.next = what_to_do(kept_models);
   std::vector<std::string> sentences = {
       fmt::format("The search was {}, during: {}.", stopped_by_time_limit(), stop.during),
-      diagnosis.ranking.empty() ? "No candidate was examined."
-                                : "The verdict is preliminary: it is about the candidates examined so far, and states "
-                                  "no probability."};
+      diagnosis.ranking.empty()
+          ? "No candidate was examined."
+          : "The verdict is preliminary: it covers the candidates examined so far and states no probability."};
   if (!stop.not_examined.empty())
     sentences.push_back(fmt::format("Not examined: {}.", fmt::join(stop.not_examined, ", ")));
   sentences.push_back(stop.next);

@@ -7,13 +7,13 @@
 
 namespace lacuna {
 
-/// The diagnosis where the time limit was reached before any candidate was examined, `during` something.
+/// The diagnosis where the time limit was reached during the step `during`, before any candidate was examined.
 Diagnosis stopped_before_search(const Experiment& experiment, const PluginCatalog& catalog,
                                 const ModelDefinition& definition, const std::vector<std::string>& among,
                                 std::string during);
 
-/// Marks a diagnosis as stopped: no probability, and findings that say so first. `stop.next` is filled in;
-/// `kept_models`: how many the next call need not look at again.
+/// Marks a diagnosis as stopped: it states no probability, and its findings begin with that. Fills in `stop.next`.
+/// `kept_models`: how many models the next call need not fit again.
 void mark_stopped(StoppedSearch stop, std::size_t kept_models, Diagnosis& diagnosis);
 
 /// Candidates for one more effect in a model, "name @ where".

@@ -15,21 +15,23 @@
 namespace lacuna {
 namespace {
 
-/// Why an effect that exists can be placed nowhere, from what was tried.
+/// Why an effect of the library has no place in this model.
 std::string reason_against(const EffectDescription& description, const ModelDefinition& base, const std::string& name,
                            const std::vector<Untestable>& tried) {
   if (!tried.empty()) return tried.front().reason;
   for (const EffectEntry& entry : base.effects)
-    if (entry.effect == name) return "the model has it already wherever it can be";
+    if (entry.effect == name) return "the model already has it at every place";
   std::vector<std::string> kinds;
   for (const ElementKind kind : description.placements) kinds.push_back(with_article(std::string(to_string(kind))));
-  return fmt::format("it acts on {}, and the robot has none", fmt::join(kinds, " or "));
+  return fmt::format("it acts on {}; the robot has none", fmt::join(kinds, " or "));
 }
 
 std::string objection(const std::string& name, const Experiment& experiment, const PluginCatalog& catalog,
                       const ModelDefinition& base) {
   if (name == kWrongValue)
-    return wrong_values(base).empty() ? "--among wrong_value: the robot states no fixed value; leave it out" : "";
+    return wrong_values(base).empty()
+               ? "--among wrong_value: the robot file has no fixed value that could be wrong; leave wrong_value out"
+               : "";
   try {
     const EffectDescription description = catalog.get<PhysicalEffect>(name).describe();
     std::vector<Untestable> tried;

@@ -8,9 +8,9 @@
 
 namespace lacuna {
 
-/// Whether each effect that a user asks for by name can be added to the model somewhere. Throws `BadInput` with a
-/// sentence for each that cannot: no plugin has it, the robot has no element of its kind, the model has it everywhere
-/// already, or what the effect itself objects to. Returns them, each once.
+/// Checks that each effect a user names can be added to the model at some place. Throws `BadInput` with a sentence for
+/// each that cannot: no plugin has it, the robot has no element of its kind, the model already has it everywhere, or
+/// the effect's own objection. Returns the names, each once.
 std::vector<std::string> check_among(const std::vector<std::string>& among, const Experiment& experiment,
                                      const PluginCatalog& catalog, const ModelDefinition& base);
 

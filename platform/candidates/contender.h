@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// A model of the search for what is missing: the experiment's, with some effects added to it.
+/// A candidate model: the experiment's model with some effects added.
 struct Contender {
   Experiment experiment;  ///< with the effects
   std::vector<EffectEntry> added;

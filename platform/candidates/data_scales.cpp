@@ -10,13 +10,13 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSpan = 0.02;           // s, over which a speed is read off positions
-constexpr double kRarely = 0.95;         // share of moments with less speed
-constexpr double kAnInterval = 1.5;      // between readings: two of them are no further apart
-constexpr double kFewestReadings = 4.0;  // of a wave, at the usual speed
-constexpr double kMostPhase = 100.0;     // rad, of a wave over the range of a channel, of all channels together
-constexpr double kMostOfATurn = 24.0;    // waves of a turn, that are tried of an angle however far it goes
-constexpr double kPhaseApart = 3.0;      // rad, over the range, between waves that are tried
+constexpr double kSpan = 0.02;           // s, time over which positions are differentiated to a speed
+constexpr double kRarely = 0.95;         // share of samples with a smaller speed
+constexpr double kAnInterval = 1.5;      // periods between two readings: waves no longer than this are resolved
+constexpr double kFewestReadings = 4.0;  // of a wave's period, at the usual speed
+constexpr double kMostPhase = 100.0;     // rad: the most waves over the range of a channel, all channels together
+constexpr double kMostOfATurn = 24.0;    // waves per turn, tried for an angle however far it turns
+constexpr double kPhaseApart = 3.0;      // rad over the range, between the wave numbers that are tried
 
 void hold(double& largest, double value) { largest = std::max(largest, value); }
 
@@ -43,7 +43,7 @@ double known(const std::map<std::string, double>& scales, const std::string& uni
   return found == scales.end() ? 0.0 : found->second;
 }
 
-/// How far apart the places are that a speed leads to.
+/// Distance over which a speed carries the joint.
 double way_of(const Eigen::VectorXd& times, const Eigen::Ref<const Eigen::VectorXd>& speeds) {
   double place = 0.0, least = 0.0, most = 0.0;
   for (Eigen::Index row = 1; row < speeds.size(); ++row) {
@@ -55,7 +55,7 @@ double way_of(const Eigen::VectorXd& times, const Eigen::Ref<const Eigen::Vector
   return most - least;
 }
 
-/// Wave numbers, rad in a unit.
+/// Wave numbers, rad per unit.
 std::vector<double> waves_to_try(double range, double most, bool turns) {
   std::vector<double> waves;
   if (turns) waves = {1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, kMostOfATurn};
@@ -70,7 +70,7 @@ bool is_speed(const std::string& unit) { return unit.ends_with("/s"); }
 
 std::string unit_of_way(const std::string& unit) { return is_speed(unit) ? unit.substr(0, unit.size() - 2) : unit; }
 
-/// What one channel shows of its unit: range and speed, rad in a unit of the fastest wave that four readings tell.
+/// Range and speed in one channel, and its largest resolved wave number, rad per unit: four readings per wave.
 struct ChannelScales {
   double range = 0.0, speed = 0.0, wave = 0.0;
 };
@@ -98,7 +98,7 @@ std::size_t channels_of(const Trial& trial, const std::string& unit) {
                                                 [&](const Channel& channel) { return channel.unit == unit; }));
 }
 
-/// No more waves than a search can try, of all channels together.
+/// Limits the number of waves over all channels to what a search can try.
 void bound_waves(const std::map<std::string, std::size_t>& channels, std::map<std::string, double>& scales) {
   for (const auto& [unit, count] : channels) {
     const auto wave = scales.find("1/" + unit);
@@ -112,7 +112,7 @@ void bound_waves(const std::map<std::string, std::size_t>& channels, std::map<st
 
 std::map<std::string, double> data_scales(const std::vector<Trial>& trials) {
   std::map<std::string, double> scales;
-  std::map<std::string, std::size_t> channels;  // that read a unit's way
+  std::map<std::string, std::size_t> channels;  // channels that measure this unit
   for (const Trial& trial : trials)
     for (std::size_t c = 0; c < trial.measured.channels.size(); ++c) {
       const std::string& unit = trial.measured.channels[c].unit;

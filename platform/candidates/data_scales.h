@@ -11,19 +11,18 @@
 
 namespace lacuna {
 
-/// What counts as a typical size in these trials, by unit: the range of measured channels ("rad"), the speed that they
-/// rarely exceed ("rad/s"), and the largest wave number whose waves their readings resolve, as far as a search tries
-/// them
-/// ("1/rad": rad in a unit). Where no channel reads a position, the range is how far its speed leads.
+/// Typical sizes in these trials, by unit: the range of measured channels ("rad"), the speed that they rarely exceed
+/// ("rad/s"), and the largest wave number that the readings resolve, within what a search tries ("1/rad": rad per
+/// unit). Where no channel measures a position, its range is the speed times the duration.
 std::map<std::string, double> data_scales(const std::vector<Trial>& trials);
 
-/// Values worth trying for a parameter of that unit which shapes an effect without switching it on, such as the
-/// velocity of Stribeck's curve. Empty: its default is as good as any.
+/// Values to try for a parameter of that unit that shapes an effect without switching it on, such as the velocity of
+/// Stribeck's curve. Empty: only its default.
 std::vector<double> shapes_to_try(const std::string& unit, const std::map<std::string, double>& scales);
 
-/// Keeps free values that count waves in a unit, of the effects `added`, between one wave over the range (of an
-/// angle, once a turn) and what readings resolve: a law that repeats faster fits anything, and one that does not
-/// repeat is another law.
+/// Limits wave numbers among the free values of the effects `added`: from one wave over the range (of an angle, one per
+/// turn) up to the largest that readings resolve. A law that repeats faster fits any data; a law that does not repeat
+/// is a different one.
 void bound_by_resolution(const std::vector<EffectEntry>& added, const std::map<std::string, double>& scales,
                          std::vector<FreeValue>& free);
 

@@ -21,7 +21,7 @@ void add_names(const std::vector<Spec>& elements, const std::string& kind, std::
   if (elements.size() > 1) names.push_back(kind + ".*");
 }
 
-/// Places of a kind: each element, then all of them; an empty string for the world.
+/// Places of a kind: each element, then all of them at once; an empty string for the world.
 std::vector<std::string> places(const RobotSpec& robot, ElementKind kind) {
   std::vector<std::string> names;
   switch (kind) {
@@ -34,7 +34,7 @@ std::vector<std::string> places(const RobotSpec& robot, ElementKind kind) {
   return names;
 }
 
-/// What the base has already: the effect, and the elements that it is on.
+/// Whether the base already has this effect on these elements.
 bool is_there(const ModelDefinition& base, const std::string& effect, const std::string& place) {
   for (const EffectEntry& entry : base.effects) {
     if (entry.effect != effect) continue;
@@ -83,7 +83,7 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
   return hypothesis;
 }
 
-/// A fixed number of the robot, fitted: neutral is what the file states.
+/// Fits a fixed number of the robot; its neutral value is that of the robot file.
 Hypothesis make_wrong_value(const Experiment& experiment, const PluginCatalog& catalog, const ModelDefinition& base,
                             EffectEntry entry) {
   Hypothesis hypothesis;
@@ -102,13 +102,13 @@ bool asks_for_wrong_values(const std::vector<std::string>& among) {
   return among.empty() || std::find(among.begin(), among.end(), kWrongValue) != among.end();
 }
 
-/// Without the plugin's file, which is this machine's concern.
+/// The reason without the plugin's file path, which differs between machines.
 std::string reason_of(const PluginListing& listing) {
   const std::string component = to_string(ComponentOrigin{listing.kind, listing.name, listing.file}) + ": ";
   return listing.problem.starts_with(component) ? listing.problem.substr(component.size()) : listing.problem;
 }
 
-/// Those of plugins that cannot be used are added to `untestable`.
+/// Names of the plugins that can be used; the others are added to `untestable`.
 std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among,
                                       std::vector<Untestable>& untestable) {
   std::vector<std::string> names = among;
@@ -124,7 +124,7 @@ std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::v
   return names;
 }
 
-/// What a sentence says that a component did, without its file; nothing where it says nothing of it.
+/// What a sentence says that a component did, without its file; nothing where the sentence does not name it.
 std::optional<std::string> deed_of(const ComponentOrigin& origin, const std::string& sentence) {
   const std::string name = to_string(origin) + ": ";
   const std::size_t at = sentence.find(name);
@@ -133,7 +133,7 @@ std::optional<std::string> deed_of(const ComponentOrigin& origin, const std::str
   return deed.substr(0, deed.find_last_not_of(' ') + 1);
 }
 
-/// What the effect says of itself; nothing, and a reason, where it fails to.
+/// The effect's description; nothing, and an entry in `untestable`, where it throws.
 std::optional<EffectDescription> describe(const PluginCatalog& catalog, const std::string& name,
                                           std::vector<Untestable>& untestable) {
   const PhysicalEffect& effect = catalog.get<PhysicalEffect>(name);
@@ -165,7 +165,8 @@ std::vector<double> Hypothesis::values(const std::vector<double>& of_base, const
 }
 
 Untestable without_probes(const Hypothesis& hypothesis, const std::string& failure) {
-  Untestable result{hypothesis.entry.effect, hypothesis.where(), "nothing in these trials shows it"};
+  Untestable result{hypothesis.entry.effect, hypothesis.where(),
+                    "no value of it changes the predictions of these trials"};
   const std::vector<PlacedEffect>& effects = hypothesis.definition.structure.effects;
   const auto own = std::find_if(effects.begin(), effects.end(),
                                 [&](const PlacedEffect& placed) { return placed.id == hypothesis.entry.id; });
@@ -207,7 +208,7 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
           reasons.push_back({name, place, deed, blames_plugin(deed)});
         }
       }
-    // Of several places one reason is enough, and a failure of the plugin is told even where others worked.
+    // One reason stands for all places. A failure of the plugin is reported even if other places worked.
     std::stable_partition(reasons.begin(), reasons.end(), [](const Untestable& one) { return one.failed; });
     if (!reasons.empty() && (all.size() == before || reasons.front().failed)) untestable.push_back(reasons.front());
   }

@@ -15,8 +15,8 @@ namespace {
 constexpr double kFirst = 1e-3;    ///< of a parameter's range, the first size
 constexpr double kStride = 100.0;  ///< at most, from a size to the next
 constexpr int kTrials = 24;
-constexpr double kBeside = 0.01;                  ///< of a parameter's range, where one matters only beside another
-constexpr double kOutside = 2.0;                  ///< of the robot's length, where nothing of it gets
+constexpr double kBeside = 0.01;                  ///< of a parameter's range, for one that matters only beside another
+constexpr double kOutside = 2.0;                  ///< of the robot's length, for places outside the robot
 constexpr double kTooMuch = 1.5;                  ///< of the residual
 constexpr double kVisible = 1e-3;                 ///< of the residual
 constexpr std::array kOtherOrders = {0.1, 0.01};  ///< of a shape's usual value
@@ -34,7 +34,7 @@ double size_of(const RobotSpec& robot) {
   return longest;
 }
 
-/// How far a parameter must go from its neutral value to matter.
+/// Finds the distance from its neutral value at which a parameter matters.
 class Climber {
  public:
   Climber(const Hypothesis& hypothesis, const OwnResiduals& simulate, const WantedChange& wanted)
@@ -49,15 +49,14 @@ class Climber {
   }
 
   bool valid() const { return valid_; }
-  /// What the other parameters are while one climbs; at first neutral.
+  /// Values of the other parameters during the search for one; neutral at first.
   void set_others(const std::vector<double>& others) { others_ = others; }
 
-  /// Whether a size of the other sign has no meaning: the way there is closed, or was climbed first and changes
-  /// nothing.
+  /// Whether a negative size has no meaning: that way is closed, or was tried first and changes nothing.
   bool one_sided(std::size_t i) const { return direction_ < 0.0 || !(room(i, 1.0) > 0.0 && room(i, -1.0) > 0.0); }
 
-  /// The value a little of the way up (1) or down (−1) from its neutral value to a bound. A place is further from the
-  /// origin than the robot is long, but not much: from afar all places are alike.
+  /// The value a small step up (1) or down (−1) from its neutral value towards a bound. A place is tried a little
+  /// beyond the robot's size only: from afar all places act alike.
   double beside(std::size_t i, double direction) const {
     double way = kBeside * room(i, direction);
     if (robot_size_ > 0.0 && has_place(hypothesis_) && is_length(hypothesis_.definition.free[hypothesis_.own[i]]))
@@ -65,9 +64,9 @@ class Climber {
     return space_.to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction * way);
   }
 
-  /// The value at which parameter `i`, the others as set, changes the prediction by about as much as the residual;
-  /// failing that, by as much as it can. It goes up, and down where nothing above changes anything (a limit that is out
-  /// of reach). Nothing where neither does.
+  /// The value of parameter `i`, the others as set, that changes the prediction by about as much as the residual, or by
+  /// as much as the parameter can. Tries values above, and values below where nothing above changes the prediction (a
+  /// limit that is out of reach). Nothing where neither does.
   std::optional<double> size(std::size_t i) {
     for (const double direction : {1.0, -1.0}) {
       direction_ = direction;
@@ -76,7 +75,7 @@ class Climber {
     }
     return std::nullopt;
   }
-  /// Whether that size changes as much as the residual, rather than as much as can be.
+  /// Whether that size reaches the residual, rather than the most that the parameter can do.
   bool is_enough() const { return is_enough_; }
 
  private:
@@ -84,7 +83,7 @@ class Climber {
     is_enough_ = false;
     const double range = room(i, direction_);
     double below = 0.0, above = range, way = kFirst * range, best = 0.0, most = 0.0;
-    std::vector<std::pair<double, double>> jumps;  // ways and changes, too large
+    std::vector<std::pair<double, double>> jumps;  // distances and changes that are too large
     for (int trial = 0; trial < kTrials && way > 0.0; ++trial) {
       const std::optional<double> change = changed_by(i, way);
       if (change && *change > most && *change <= kTooMuch * residual_) {
@@ -103,7 +102,7 @@ class Climber {
     return wanted_.may_jump && !jumps.empty() ? std::optional(value(i, beyond_jump(jumps))) : std::nullopt;
   }
 
-  /// Of ways that all change too much, the furthest on which what grows with the way does not yet outgrow the jump.
+  /// Among distances that all change too much, the largest at which the smooth change is still below the jump.
   static double beyond_jump(const std::vector<std::pair<double, double>>& jumps) {
     double least = jumps.front().second, furthest = 0.0;
     for (const auto& [way, change] : jumps) least = std::min(least, change);
@@ -131,7 +130,7 @@ class Climber {
     return root_mean_square(moved_);
   }
 
-  /// As far as a change in proportion would need, between what is too little and what is too much.
+  /// Scales in proportion to the wanted change, between a value that is too small and one that is too large.
   double next_way(double below, double above, double range, double way, const std::optional<double>& change) const {
     const double wanted = !change ? 0.1 * way
                           : *change > 0.0
@@ -146,16 +145,16 @@ class Climber {
   const OwnResiduals& simulate_;
   const WantedChange& wanted_;
   ParameterSpace space_;
-  double robot_size_;       ///< m; 0: a single point
+  double robot_size_;       ///< m; 0: all at one point
   double residual_ = 1.0;   ///< on these segments, multiples of the sensor noise
-  double direction_ = 1.0;  ///< of the way that is climbed: up or down
+  double direction_ = 1.0;  ///< direction of the search: up or down
   bool is_enough_ = false;  ///< the size that was found last
   std::vector<double> others_;
   bool valid_ = false;
   std::vector<Eigen::VectorXd> calm_, moved_;
 };
 
-/// Each parameter that matters by itself; the others go to `shapes`. Whether any matters as much as the residual does.
+/// Sizes each parameter that matters by itself; the others go to `shapes`. Whether any changes as much as the residual.
 bool climb(Climber& climber, const std::vector<double>& others, std::vector<SizedProbe>& probes,
            std::vector<std::size_t>& shapes) {
   bool enough = false;
@@ -175,8 +174,8 @@ bool climb(Climber& climber, const std::vector<double>& others, std::vector<Size
 }
 
 /// Parameters that matter only where another one is not neutral, such as a payload's mass and its place: a mass on the
-/// axis of a hinge turns nothing. Where there are places, those are where the others are climbed, not the other way
-/// round: beside a huge mass its place would come out as next to nothing.
+/// axis of a hinge has no effect. Places are set and the other parameters searched, not the reverse: beside a huge mass
+/// the place would be found almost at zero.
 void climb_beside(Climber& climber, const Hypothesis& hypothesis, std::vector<SizedProbe>& probes) {
   const std::vector<double>& neutral = hypothesis.neutral;
   const bool only_places = has_place(hypothesis);
@@ -190,7 +189,7 @@ void climb_beside(Climber& climber, const Hypothesis& hypothesis, std::vector<Si
     }
 }
 
-/// Sizes at places between the axes, where there are places: the directions from one axis to the next are as likely.
+/// Sizes at places between the axes: directions between two axes are as likely as the axes.
 void climb_between_axes(Climber& climber, const Hypothesis& hypothesis, std::vector<SizedProbe>& probes) {
   constexpr unsigned kCorners = 8;
   std::vector<std::size_t> unused;
@@ -204,8 +203,8 @@ void climb_between_axes(Climber& climber, const Hypothesis& hypothesis, std::vec
   }
 }
 
-/// Parameters that matter, where one that only shapes the effect, of which the data suggest no value, is of another
-/// order: a soft stop begins earlier than a stiff one.
+/// Sizes with another value of a parameter that only shapes the effect and for which the data suggest no value: a soft
+/// stop begins earlier than a stiff one.
 void climb_at_other_orders(Climber& climber, const Hypothesis& hypothesis, std::size_t shape,
                            const std::map<std::string, double>& scales, std::vector<SizedProbe>& probes) {
   const FreeValue& free = hypothesis.definition.free[hypothesis.own[shape]];
@@ -218,8 +217,7 @@ void climb_at_other_orders(Climber& climber, const Hypothesis& hypothesis, std::
   }
 }
 
-/// Parameters that matter only beside a velocity that is never reached: what a motor can do falls with the speed where
-/// that comes near its speed without load.
+/// Parameters that matter only beside a speed that is never reached: a motor's torque falls near its no-load speed.
 void climb_near_speeds(Climber& climber, const Hypothesis& hypothesis, const std::map<std::string, double>& scales,
                        std::vector<SizedProbe>& probes) {
   std::vector<std::size_t> unused;
@@ -236,7 +234,7 @@ void climb_near_speeds(Climber& climber, const Hypothesis& hypothesis, const std
   }
 }
 
-/// Probes without their responses.
+/// Probes before their responses are known.
 std::vector<SizedProbe> sized_probes(Climber& climber, const Hypothesis& hypothesis,
                                      const std::map<std::string, double>& scales) {
   std::vector<SizedProbe> probes;

@@ -8,8 +8,8 @@
 
 namespace lacuna {
 
-/// Within one command interval, when commands act is a matter of recording (which side of a sample a command is held
-/// on), no effect: it is fitted beside the model's values.
+/// Within one command interval, the time at which commands act is a timestamp offset (which side of a sample a command
+/// is held on), not an effect: it is fitted beside the model's values.
 inline constexpr double kMostTiming = 1.0;  ///< command intervals, later or earlier
 
 /// Command intervals by which commands may act earlier (negative) or later than recorded.
@@ -17,10 +17,10 @@ struct TimingRange {
   double earliest = -kMostTiming, latest = kMostTiming;
 };
 
-/// A model's free values, and how many command intervals later than recorded all commands act.
+/// A model's free values, and the delay of all commands against the recording in command intervals.
 std::vector<FreeValue> with_timing(std::vector<FreeValue> free, const TimingRange& range = {});
 
-/// s: of all trials the longest `command_interval`; 0 where nothing is commanded.
+/// s: the longest `command_interval` of all trials; 0 where there are no commands.
 double longest_command_interval(const std::vector<Trial>& trials);
 
 }  // namespace lacuna

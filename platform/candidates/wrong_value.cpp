@@ -9,8 +9,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTimes = 10.0;  ///< more or less, of a value that is never negative
-constexpr double kAway = 3.0;    ///< times its size, of a value that may change its sign
+constexpr double kTimes = 10.0;  ///< times more or less, for a value that is never negative
+constexpr double kAway = 3.0;    ///< times its size, for a value that may change its sign
 constexpr std::array kTried = {"body.", "joint.", "actuator.", "sensor.", "coupling."};
 constexpr std::array kNotTried = {".noise", ".quantum"};
 
@@ -25,7 +25,7 @@ bool may_be_tried(const std::string& address) {
   return std::any_of(kTried.begin(), kTried.end(), begins) && std::none_of(kNotTried.begin(), kNotTried.end(), ends);
 }
 
-/// Whether some recording has a value of its own.
+/// Whether some recording sets this value.
 bool is_of_setups(const ModelDefinition& base, const std::string& address) {
   const std::vector<Setup>& setups = base.structure.setups;
   return std::any_of(setups.begin(), setups.end(), [&](const Setup& setup) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double kRandomShare = 0.6;  ///< of the budget
 constexpr int kFewestRandom = 5;
 constexpr std::size_t kRefined = 4;         ///< tests that have children
-constexpr std::size_t kBatch = 8;           ///< evaluations between two looks at the user's wishes
+constexpr std::size_t kBatch = 8;           ///< evaluations between two checks for interruption
 constexpr double kFirstStep = 0.3;          ///< of a gene's range, in the first generation of children
 constexpr double kLastStep = 0.05;          ///< in the last one
 constexpr double kMoreThanEnough = 1000.0;  ///< nats
@@ -27,7 +27,7 @@ constexpr double kOtherChoice = 0.2;        ///< chance that a whole-number gene
 struct DrawnTest {
   Genome genome;
   std::size_t setup = 0;  ///< of the task's
-  double nats = -1.0;     ///< below 0: it cannot be carried out
+  double nats = -1.0;     ///< below 0: the test cannot be carried out
 };
 
 bool better(const DrawnTest& a, const DrawnTest& b) { return a.nats > b.nats; }
@@ -46,8 +46,9 @@ class TestSearch {
     std::vector<DrawnTest> ranked = drawn;
     std::stable_sort(ranked.begin(), ranked.end(), better);
     if (ranked.front().nats < 0.0)
-      throw Error(fmt::format("none of {} random tests can be carried out on both {} and {}; are their values sound?",
-                              random, task_.rivals[0].name, task_.rivals[1].name));
+      throw Error(fmt::format(
+          "none of {} random tests can be carried out on both {} and {}; check the values of these two models", random,
+          task_.rivals[0].name, task_.rivals[1].name));
     const DrawnTest typical = median(ranked);
     refine(ranked, budget - random);
     return describe(ranked.front(), typical);
@@ -61,7 +62,7 @@ class TestSearch {
     return tests;
   }
 
-  /// Of those that can be carried out; `ranked` is sorted and has one.
+  /// The median of those that can be carried out; `ranked` is sorted and has one.
   static DrawnTest median(const std::vector<DrawnTest>& ranked) {
     const auto end = std::find_if(ranked.begin(), ranked.end(), [](const DrawnTest& one) { return one.nats < 0.0; });
     return ranked[static_cast<std::size_t>((end - ranked.begin()) / 2)];
@@ -73,7 +74,7 @@ class TestSearch {
     std::stable_sort(ranked.begin(), ranked.end(), better);
   }
 
-  /// The best commands in every other setup, as far as the budget goes. Returns how many evaluations that took.
+  /// Tries the best commands in every other setup, within the budget. Returns the number of evaluations.
   int try_other_setups(std::vector<DrawnTest>& ranked, int budget) {
     std::vector<DrawnTest> others;
     const DrawnTest best = ranked.front();
@@ -158,7 +159,7 @@ std::string trials_text(double trials) {
   return fmt::format("{:g} trial{}", trials, trials == 1.0 ? "" : "s");
 }
 
-/// How much more than enough a test tells is not known, and does not matter.
+/// Beyond this bound the exact worth is not known and does not matter.
 std::string worth_text(double nats) {
   return nats > kMoreThanEnough ? fmt::format("more than {:g}", kMoreThanEnough) : fmt::format("{:.3g}", nats);
 }
@@ -168,7 +169,7 @@ std::string worth_text(double nats) {
 NextTest next_test(const NextTestTask& task) { return TestSearch(task).run(); }
 
 std::string to_string(const NextTest& test) {
-  return fmt::format("{}{}: {} nats a trial (a random one {}), {} for {:g} nats (a random one {})", test.line,
+  return fmt::format("{}{}: {} nats per trial (a random test: {}), {} for {:g} nats (a random test: {})", test.line,
                      test.setup ? " with " + setup_text(*test.setup) : "", worth_text(test.nats),
                      worth_text(test.random_nats), trials_text(test.trials), kDecisiveNats,
                      trials_text(test.random_trials));

@@ -62,7 +62,7 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experim
     return next_test(task);
   } catch (const Interrupted&) {
     throw;
-  } catch (const Error&) {  // no limits, or a plugin that is not there: a diagnosis without a proposal
+  } catch (const Error&) {  // no limits, or the plugin is missing: a diagnosis without a proposal
   }
   return std::nullopt;
 }

@@ -13,8 +13,8 @@ namespace lacuna {
 namespace {
 
 constexpr double kMove = 0.5;           ///< standard deviations, of a difference
-constexpr double kStartMove = 0.005;    ///< the same of the start, whose deviations are wide (test_conditions.h)
-constexpr double kSmallestMove = 1e-3;  ///< what the bounds leave less than this of is held
+constexpr double kStartMove = 0.005;    ///< the same for the start, whose deviations are wide (test_conditions.h)
+constexpr double kSmallestMove = 1e-3;  ///< a value whose bounds leave less than this is held
 constexpr double kAtBound = 1e-9;       ///< of a range
 
 /// The test with its commands so much later, s.

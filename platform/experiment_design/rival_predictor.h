@@ -11,8 +11,8 @@
 
 namespace lacuna {
 
-/// Predicts tests with a model and with all that a refit could change. Const and shared by threads, each with a worker
-/// of its own.
+/// Predicts tests with a candidate and its derivatives by all that a refit can change. Const and shared by threads,
+/// each with a worker of its own.
 class RivalPredictor {
  public:
   /// `deviations`: of the readings of `channels`, indices into the model's. `rival` must outlive it.
@@ -21,23 +21,23 @@ class RivalPredictor {
 
   /// False where the model cannot carry the test out.
   bool predict(const Test& test, int worker, RivalPrediction& prediction) const;
-  /// The readings when everything that is refitted has moved by so many deviations, one a column of `follows`; values
-  /// stop at their bounds.
+  /// The readings after all refitted quantities have moved by these deviations, one for each column of `follows`;
+  /// values stop at their bounds.
   bool predict_moved(const Test& test, int worker, const Eigen::VectorXd& deviations, Eigen::VectorXd& readings) const;
 
  private:
-  /// A direction of the coordinates, one standard deviation long, and how far a difference goes along it.
+  /// A direction of the coordinates, one standard deviation long, and the step of the difference along it.
   struct Move {
     Eigen::VectorXd direction;
     double step = 0.0;  ///< deviations
   };
-  /// The covariance with what it does not say: what the data leave open has that of its range.
+  /// The covariance, completed: a value that the data do not determine gets the variance of its range.
   Eigen::MatrixXd completed(Eigen::MatrixXd covariance) const;
-  /// How far one can go along a direction, up to a half, before a coordinate leaves its bounds.
+  /// The largest step along a direction, up to a half, within the bounds of all coordinates.
   double way(const Eigen::VectorXd& direction) const;
   void add_moves(const Eigen::MatrixXd& covariance);
   bool readings_at(const Eigen::VectorXd& coordinates, const Test& test, int worker, Eigen::VectorXd& readings) const;
-  /// The test, begun so many deviations off in a component of the start.
+  /// The test with one component of the start changed by these deviations.
   Test moved_start(Test test, std::size_t component, double deviations) const;
   bool readings(std::span<const double> values, const Test& test, int worker, Eigen::VectorXd& readings) const;
 
@@ -46,8 +46,8 @@ class RivalPredictor {
   std::vector<double> deviations_;
   std::vector<double> start_deviation_;
   ParameterSpace space_;
-  double command_interval_;             ///< s; 0: commands act when they are said to
-  Eigen::VectorXd at_, lower_, upper_;  ///< coordinates: the values', then where the commands act
+  double command_interval_;             ///< s; 0: the timing of commands is known
+  Eigen::VectorXd at_, lower_, upper_;  ///< coordinates: the values', then the timestamp offset
   std::vector<Move> moves_;
   std::vector<std::size_t> unknown_starts_;  ///< components
   std::size_t coordinates_ = 0;

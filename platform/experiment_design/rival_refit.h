@@ -4,14 +4,14 @@
 
 namespace lacuna {
 
-/// What a model says about a test, in standard deviations of the readings.
+/// The prediction of a test by one candidate, in standard deviations of the readings.
 struct RivalPrediction {
   Eigen::VectorXd readings;
-  /// How the readings change by one standard deviation of each thing that a refit to this test would find anew, which
-  /// are independent of each other: directions of the model's free values and of the instant that commands act at, as
-  /// the data so far leave them, unknown parts of the start. A column each; none: nothing is refitted.
+  /// Change of the readings by one standard deviation of each independent quantity that a refit to this test would
+  /// change: directions of the model's free values and the timestamp offset given the data so far, and unknown
+  /// components of the start. One column each; none: nothing is refitted.
   Eigen::MatrixXd follows;
-  /// How far all that is off already where the readings are predicted, in deviations; empty: not at all.
+  /// How far each of these has already moved at the prediction, in deviations; empty: not at all.
   Eigen::VectorXd moved = {};
 };
 

@@ -8,13 +8,13 @@
 
 namespace lacuna {
 
-/// How one more trial would begin and be read if it is made as those before it were.
+/// How one more trial would begin and be read under the same conditions as the trials so far.
 struct TestConditions {
-  StartState start;  ///< of the first trial, as its first readings tell it
+  StartState start;  ///< start of the first trial, estimated from its first readings
   /// Of the joint coordinates, positions and then velocities (m or rad, and per second). 0 where the trials state it
   /// exactly, and where no reading tells it.
   std::vector<double> start_deviation;
-  std::vector<ChannelNoise> noise;  ///< by channel: deviations of single readings, independent of each other
+  std::vector<ChannelNoise> noise;  ///< by channel: standard deviations of single independent readings
 };
 
 }  // namespace lacuna

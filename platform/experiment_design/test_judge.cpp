@@ -39,7 +39,7 @@ void set(Chosen<Interface>& chosen, const std::string& name, double value) {
     if (declarations[i].name == name) chosen.parameters[i] = value;
 }
 
-/// The channels that are read and the deviation of a reading: of so many that are not independent, one counts.
+/// The channels that are read and the deviation of a reading: correlated readings count as one.
 struct Readings {
   std::vector<Eigen::Index> channels;
   std::vector<double> deviations;
@@ -59,18 +59,20 @@ Readings readings_of(const NextTestTask& task) {
 }
 
 const NextTestTask& checked(const NextTestTask& task) {
-  if (task.rivals.size() < 2) throw Error("one model alone needs no test to tell it apart; two rivals are wanted");
+  if (task.rivals.size() < 2) throw Error("telling candidates apart needs two candidates; only one is given");
   if (task.rivals[0].model.channels() != task.rivals[1].model.channels())
     throw Error(task.rivals[0].name + " and " + task.rivals[1].name +
-                " do not have the same sensors, so no test tells them apart");
+                " have different sensors, so no test can tell them apart");
   for (const RivalModel& rival : task.rivals) {
     const Eigen::Index fitted = rival.coordinates();
     if (rival.covariance.rows() != fitted || rival.covariance.cols() != fitted)
       throw Error(fmt::format("the covariance of {} is {} × {}, but {} of its values are fitted{}", rival.name,
                               rival.covariance.rows(), rival.covariance.cols(), fitted,
-                              rival.command_interval > 0.0 ? ", the timing of commands among them" : ""));
+                              rival.command_interval > 0.0 ? ", including the timestamp offset" : ""));
   }
-  if (readings_of(task).channels.empty()) throw Error("no noise is known of any sensor, so a test cannot be judged");
+  if (readings_of(task).channels.empty())
+    throw Error(
+        "the noise of no sensor is known, so the worth of a test cannot be computed; state noise or record more");
   return task;
 }
 
@@ -83,9 +85,9 @@ RivalPredictor predictor(const NextTestTask& task, std::size_t which) {
           task.start_deviation,         task.threads};
 }
 
-/// Refits the rival to the truth by steps of Gauss and Newton with the derivatives of where it began, until the first
-/// order tells what a step does to within a small share of what is left. Returns the share of what is left that is
-/// beyond that doubt: 0 where, for all that is known, another step might explain everything.
+/// Refits the other candidate to the truth by Gauss-Newton steps with the derivatives at its fit, until the first-order
+/// prediction of a step agrees with the simulated one to a small share of the remaining difference. Returns the share
+/// of the difference that remains beyond this error: 0 where another step might explain everything.
 double refit(const RivalPrediction& truth, const RivalPredictor& predictor, const Test& test, int worker,
              RivalPrediction& rival) {
   if (rival.follows.cols() == 0) return 1.0;
@@ -111,7 +113,7 @@ TestJudge::TestJudge(const NextTestTask& task)
       encoding_(component<TestEncoding>(task.catalog, kEncoding)),
       fitness_(component<TestFitness>(task.catalog, kFitness)),
       rivals_{predictor(task, 0), predictor(task, 1)} {
-  set(fitness_, "noise", 1.0);  // it is given deviations
+  set(fitness_, "noise", 1.0);  // it is in standard deviations
   const double lowest = std::max(1.0 / task.space.duration, 1e-3);
   set(encoding_, "lowest_frequency", lowest);
   set(encoding_, "highest_frequency", std::max(lowest, std::min(kFastest, 0.25 / task.space.control_period)));
@@ -153,7 +155,7 @@ double TestJudge::worse(const Judgement& judgement, double trials) const {
   return std::min(direction(0), direction(1));
 }
 
-/// By the test fitness: what a refit leaves, against nothing left.
+/// By the test fitness: the difference that remains after a refit, compared with none.
 double TestJudge::score(const Eigen::VectorXd& left) const {
   std::array<TestPrediction, 2> sides;
   for (TestPrediction& side : sides) {

@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// Says what tests of `command_series` are worth for telling two rivals apart (next_test.h). Const and shared by
+/// Computes the worth of tests of `command_series` for telling two candidates apart (next_test.h). Const and shared by
 /// threads, each with a worker of its own.
 class TestJudge {
  public:
@@ -18,21 +18,22 @@ class TestJudge {
   explicit TestJudge(const NextTestTask& task);
 
   const GenomeLayout& layout() const { return layout_; }
-  /// A random test, as a line can say it (test_line.h).
+  /// A random test that a line can express (test_line.h).
   Genome random(RandomStream& random) const;
-  /// In the worse direction; below 0 where the test cannot be carried out. `setup`: the rig's, by its name.
+  /// In the worse direction; below 0 where the test cannot be carried out. `setup`: of the rig, by name.
   double nats(const Genome& genome, int worker, const std::string& setup = {}) const;
-  /// Until `kDecisiveNats`: more trials of one test also teach the rival. Infinite: more than a million.
+  /// Number of trials until `kDecisiveNats`; more trials of one test also improve the other candidate. Infinite: more
+  /// than a million.
   double trials_needed(const Genome& genome, const std::string& setup = {}) const;
 
  private:
-  /// What both rivals say about a test, and what they say when they are refitted to what the other one says.
+  /// The predictions of both candidates for a test, and those of each after its refit to the other's.
   struct Judgement {
     std::array<RivalPrediction, 2> truths, refitted;
-    std::array<double, 2> trusted;  ///< share of what is left after the refit of each
+    std::array<double, 2> trusted;  ///< share of the difference that remains after the refit of each
   };
 
-  /// Nothing where one of the rivals cannot carry the test out.
+  /// Nothing where one of the candidates cannot carry the test out.
   std::optional<Judgement> judgement(const Genome& genome, const std::string& setup, int worker) const;
   double worse(const Judgement& judgement, double trials) const;
   double score(const Eigen::VectorXd& left) const;

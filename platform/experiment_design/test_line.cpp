@@ -25,12 +25,12 @@ bool has_seed(double shape) { return shape == kMultisine || shape == 1.0; }
 
 constexpr double kLastSeed = 999.0;
 constexpr double kLeastCommands = 4.0;  ///< a period of the fastest command
-constexpr double kMostSamples = 1e6;    ///< of a test; more would only show that memory ends
+constexpr double kMostSamples = 1e6;    ///< of a test; a longer one needs too much memory
 constexpr const char* kExample = "multisine motor 0.2 N*m 0.1-5 Hz 10 s seed 3";
 
 double three_digits(double value) { return std::stod(fmt::format("{:.3g}", value)); }
 
-/// Towards 0, so that what is within limits stays there.
+/// Rounds towards 0, so that a value within the limits stays within them.
 double three_digits_at_most(double value) {
   if (!(value > 0.0)) return 0.0;
   const double nearest = three_digits(value);
@@ -46,7 +46,7 @@ double three_digits_at_least(double value) {
   return three_digits(nearest + std::pow(10.0, std::floor(std::log10(value)) - 2.0));
 }
 
-/// Hz: what a test is long enough for, and what the control period is short enough for.
+/// Hz: the lowest frequency that the duration allows and the highest that the control period allows.
 double slowest(const TestSpace& space) { return three_digits_at_least(1.0 / space.duration); }
 double fastest(const TestSpace& space) { return 1.0 / (kLeastCommands * space.control_period); }
 
@@ -76,14 +76,15 @@ class Words {
     next();
     return true;
   }
-  /// A number and its unit: in SI.
+  /// Reads a number and its unit; returns SI.
   double quantity(const std::string& what, const std::string& unit) {
     const std::string number = take(), written = take();
     const std::string known = unit_of_cell(written);
-    const std::string wanted = fmt::format("{} is wanted in {}, as in \"0.3 {}\"", what, unit, unit);
-    if (number.empty()) throw Error(wanted + ", but the line ends before it");
+    const std::string wanted =
+        fmt::format("{} must be a number with a unit such as {}, as in \"0.3 {}\"", what, unit, unit);
+    if (number.empty()) throw Error(wanted + ", but the line ends here");
     if (known.empty())
-      throw Error(fmt::format("{}, but \"{}{}{}\" stands there", wanted, number, written.empty() ? "" : " ", written));
+      throw Error(fmt::format("{}, not \"{}{}{}\"", wanted, number, written.empty() ? "" : " ", written));
     const Quantity quantity = parse_quantity(number + " " + known);
     if (!quantity.parsed.same_dimension(*parse_unit(unit))) throw Error(wanted + fmt::format(", not in {}", written));
     if (!std::isfinite(quantity.value_in_si)) throw Error(what + " is not finite");
@@ -102,7 +103,7 @@ class Words {
 /// "0.1-5" Hz: both ends, in Hz. A multisine of one frequency is a sine.
 std::array<double, 2> take_band(Words& words, double shape) {
   const std::string numbers = words.take(), unit = words.take();
-  if (numbers.empty()) throw Error("the frequency is wanted in Hz, as in \"0.1 Hz\", but the line ends before it");
+  if (numbers.empty()) throw Error("the frequency must be in Hz, as in \"0.1 Hz\", but the line ends here");
   std::size_t dash = numbers.find('-', 1);
   while (dash != std::string::npos && (numbers[dash - 1] == 'e' || numbers[dash - 1] == 'E'))
     dash = numbers.find('-', dash + 1);
@@ -117,7 +118,8 @@ std::array<double, 2> take_band(Words& words, double shape) {
   Words high((has_two ? numbers.substr(dash + 1) : numbers) + " " + unit);
   const std::array<double, 2> band = {low.quantity("the frequency", "Hz"), high.quantity("the frequency", "Hz")};
   if (!(band[0] > 0.0) || band[1] < band[0])
-    throw Error(fmt::format("\"{} {}\" is no band of frequencies; write the lower one first, above 0", numbers, unit));
+    throw Error(
+        fmt::format("\"{} {}\" is not a frequency band; write the lower frequency first, above 0", numbers, unit));
   return band;
 }
 
@@ -125,11 +127,11 @@ double take_seed(Words& words) {
   const std::string number = words.take();
   const bool digits =
       !number.empty() && number.size() <= 3 && number.find_first_not_of("0123456789") == std::string::npos;
-  if (!digits) throw Error(fmt::format("a seed is a whole number from 0 to {:g}, not \"{}\"", kLastSeed, number));
+  if (!digits) throw Error(fmt::format("a seed must be a whole number from 0 to {:g}, not \"{}\"", kLastSeed, number));
   return std::stod(number);
 }
 
-/// What one actuator is given.
+/// The genes of one actuator and its duration.
 struct Part {
   std::size_t actuator = 0;
   std::array<double, kGenes> genes{};
@@ -151,26 +153,28 @@ void check_limits(const TestSpace& space, const Part& part) {
   const std::size_t a = part.actuator;
   const std::string& unit = space.actuators[a].unit;
   const double amplitude = part.genes[kAmplitude], centre = part.genes[kCentre];
-  if (!(amplitude > 0.0)) throw Error("an amplitude is above 0; leave the actuator out where it is to rest");
+  if (!(amplitude > 0.0))
+    throw Error("an amplitude must be above 0; to leave the actuator at rest, leave it out of the line");
   if (amplitude <= room(space, a, centre)) return;
-  throw Error(fmt::format("{:.4g} {} about {:.4g} {} is beyond the limits of {}, {:.4g} to {:.4g} {}; {}", amplitude,
+  throw Error(fmt::format("{:.4g} {} about {:.4g} {} exceeds the limits of {}, {:.4g} to {:.4g} {}; {}", amplitude,
                           unit, centre, unit, space.actuators[a].name, space.lower[a], space.upper[a], unit,
                           room(space, a, centre) > 0.0
-                              ? fmt::format("the amplitude can be {:.4g} {}", room(space, a, centre), unit)
-                              : std::string("name a centre within them, with \"around\"")));
+                              ? fmt::format("reduce the amplitude to {:.4g} {}", room(space, a, centre), unit)
+                              : std::string("give a centre within the limits with \"around\"")));
 }
 
 void check_times(const TestSpace& space, const Part& part) {
   if (part.genes[kHigh] > fastest(space))
-    throw Error(fmt::format("{:.4g} Hz leaves less than four commands a period of {:.4g} s; {:.4g} Hz is the most",
-                            part.genes[kHigh], space.control_period, fastest(space)));
+    throw Error(fmt::format(
+        "{:.4g} Hz leaves fewer than four commands per period at a control period of {:.4g} s; use {:.4g} Hz or less",
+        part.genes[kHigh], space.control_period, fastest(space)));
   if (part.duration * part.genes[kLow] < 1.0 - 1e-9)
-    throw Error(
-        fmt::format("{:.4g} s is shorter than a period of {:.4g} Hz; give it {:.4g} s at least, or a higher frequency",
-                    part.duration, part.genes[kLow], 1.0 / part.genes[kLow]));
+    throw Error(fmt::format(
+        "a duration of {:.4g} s is shorter than one period of {:.4g} Hz; use {:.4g} s or more, or a higher frequency",
+        part.duration, part.genes[kLow], 1.0 / part.genes[kLow]));
   if (part.duration > kMostSamples * space.control_period)
-    throw Error(fmt::format("{:.4g} s is more than a million control periods of {:.4g} s; shorten it", part.duration,
-                            space.control_period));
+    throw Error(fmt::format("a duration of {:.4g} s is more than a million control periods of {:.4g} s; shorten it",
+                            part.duration, space.control_period));
 }
 
 Part parse_part(const TestSpace& space, const std::string& text) {
@@ -178,8 +182,8 @@ Part parse_part(const TestSpace& space, const std::string& text) {
   const std::string shape = words.take();
   const auto found = std::find(kShapes.begin(), kShapes.end(), shape);
   if (found == kShapes.end())
-    throw Error(fmt::format("there is no shape \"{}\"{}; there are {}, as in \"{}\"", shape,
-                            did_you_mean(shape, kShapes), fmt::join(kShapes, ", "), kExample));
+    throw Error(fmt::format("unknown shape \"{}\"{}; shapes are {}, as in \"{}\"", shape, did_you_mean(shape, kShapes),
+                            fmt::join(kShapes, ", "), kExample));
   Part part;
   part.genes[kShape] = static_cast<double>(found - kShapes.begin());
   part.actuator = take_actuator(words, space);
@@ -192,13 +196,13 @@ Part parse_part(const TestSpace& space, const std::string& text) {
   part.duration = words.quantity("the duration", "s");
   if (has_seed(part.genes[kShape]) && words.take("seed")) part.genes[kSeed] = take_seed(words);
   if (!words.done())
-    throw Error(fmt::format("\"{}\" is one word too many; a test is a line such as \"{}\"", words.word(), kExample));
+    throw Error(fmt::format("\"{}\" is not expected here; a test is a line such as \"{}\"", words.word(), kExample));
   check_limits(space, part);
   check_times(space, part);
   return part;
 }
 
-/// Parts of a line that can be read; the others become problems.
+/// Parses all parts of the line; adds a problem for each part that cannot be read.
 std::vector<Part> parse_parts(const TestSpace& space, const std::string& line) {
   ProblemList problems;
   std::vector<Part> parts;
@@ -212,11 +216,12 @@ std::vector<Part> parse_parts(const TestSpace& space, const std::string& line) {
     problems.add({}, fmt::format("the test is empty; write a line such as \"{}\"", kExample));
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].duration != parts[0].duration)
-      problems.add({}, "test \"" + line + "\": all actuators of a test take the same time; give them one duration");
+      problems.add(
+          {}, "test \"" + line + "\": all actuators of a test must have the same duration; give them one duration");
     for (std::size_t j = 0; j < i; ++j)
       if (parts[i].actuator == parts[j].actuator)
         problems.add({}, "test \"" + line + "\": " + space.actuators[parts[i].actuator].name +
-                             " stands twice; name an actuator once");
+                             " appears twice; name each actuator once");
   }
   problems.throw_if_any();
   return parts;

@@ -22,16 +22,16 @@ struct TestLine {
   double duration = 0.0;  ///< s
 };
 
-/// The genome that a line can say, nearest to the given one: three significant digits, an amplitude within the limits,
-/// frequencies that duration and control period allow, and 0 for what its shape has no use for.
+/// The genome nearest to the given one that a line can express: three significant digits, an amplitude within the
+/// limits, frequencies that duration and control period allow, and 0 for genes that its shape does not use.
 Genome sayable(const TestSpace& space, const Genome& genome);
 
-/// `genome` is a sayable one; `space.duration` is the test's. Parsing the line gives the same bits.
+/// `genome` is one that a line can express; `space.duration` is that of the test. Parsing the line gives the same bits.
 std::string test_line(const TestSpace& space, const Genome& genome);
 
-/// Of `space` its duration does not count. Throws `BadInput` with a sentence for each actuator of the line that is
-/// wrong: unknown shapes and actuators, units of another dimension, commands beyond the limits (which may be infinite),
-/// too fast for the control period, too short for one period.
+/// The duration of `space` is not used. Throws `BadInput` with a sentence for each actuator of the line that is wrong:
+/// unknown shapes and actuators, units of another dimension, commands beyond the limits (which may be infinite), too
+/// fast for the control period, too short for one period.
 TestLine parse_test_line(const TestSpace& space, const std::string& line);
 
 }  // namespace lacuna

@@ -8,29 +8,30 @@
 
 namespace lacuna {
 
-/// A force that no effect has: what it is where one quantity of a joint is so large, linear between.
+/// A nonparametric residual force over one quantity of a joint, linear between the points.
 struct ForceCurve {
   std::string joint;
   std::string of;    ///< position, velocity, command or time
   std::string unit;  ///< of that quantity
   std::string force_unit;
   std::vector<double> at, force, standard_error;
-  /// Of a slice: the whole force where the joint is at this position. Without it: what this quantity alone adds.
+  /// Of a slice: the whole force at this position of the joint. Without it: the part of the force that this quantity
+  /// alone adds.
   std::optional<double> position = {};
-  std::vector<double> by_answer = {};  ///< what the answer makes of it, at the same places; empty: not asked
+  std::vector<double> by_answer = {};  ///< the part that the answer explains, at the same points; empty: not asked
   bool operator==(const ForceCurve&) const = default;
 };
 
-/// That a force is left which no effect has.
+/// A residual force remains that no effect describes.
 struct UnexplainedForce {
   std::string joint;
   std::string depends_on;  ///< "velocity", "the past of the command" (law_family.h)
-  double share = 0.0;      ///< of all that the answer and this force gain together
-  Gain gain;               ///< where it was not fitted, over the answer
+  double share = 0.0;      ///< share of the gain of the answer and this force together
+  Gain gain;               ///< on data to which it was not fitted, over the answer
   bool operator==(const UnexplainedForce&) const = default;
 };
 
-/// A force law of a few physical terms that explains what a model leaves of one joint's motion.
+/// A force law of a few physical terms for the residual force on one joint.
 struct ForceFormula {
   struct Term {
     std::string text;                                ///< such as "v*abs(v)"
@@ -41,7 +42,7 @@ struct ForceFormula {
   std::string joint;
   std::string unit;  ///< of the force, N*m or N
   std::vector<Term> terms;
-  Gain gain;  ///< where it was not fitted, over the model without it
+  Gain gain;  ///< on data to which it was not fitted, over the model without it
 
   /// Such as "-0.0213*v*abs(v) + 0.4*sgn(v)"; the force on the joint.
   std::string text() const;

@@ -10,7 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr Eigen::Index kMostPulses = 12;  ///< of a stretch
-constexpr double kWantedChange = 0.5;     ///< of the residuals, by one pulse
+constexpr double kWantedChange = 0.5;     ///< the length of one pulse must change the residuals by this much
 constexpr int kSizeRounds = 4;
 
 /// Stretches of one length, which do not overlap.
@@ -23,7 +23,7 @@ struct OneLength {
 
 std::pair<Eigen::Index, Eigen::Index> samples_of_pulse(const PredictedStretch& stretch, Eigen::Index pulse,
                                                        Eigen::Index pulses) {
-  const Eigen::Index size = stretch.stretch.size() - 1;  // the last sample sees no more of a force that begins there
+  const Eigen::Index size = stretch.stretch.size() - 1;  // a force that begins at the last sample changes no reading
   return {size * pulse / pulses, size * (pulse + 1) / pulses};
 }
 
@@ -36,7 +36,7 @@ class Pulser {
         disturbed_(compile_disturbed(model.model.definition, {joint_})),
         space_(model.model.definition.free) {}
 
-  /// By stretch; false where one cannot be simulated.
+  /// By stretch; false where a stretch cannot be simulated.
   bool responses(const OneLength& one, ForcePulses& all) {
     std::vector<Eigen::VectorXd> calm, pushed;
     if (!residuals(one, 0, 0.0, calm)) return false;

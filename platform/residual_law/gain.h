@@ -2,7 +2,7 @@
 
 namespace lacuna {
 
-/// By how much one model predicts what was not fitted better than another, nats.
+/// Decrease of the prediction error of one model against another, on data to which neither was fitted, nats.
 struct Gain {
   double value = 0.0;
   double standard_error = 0.0;

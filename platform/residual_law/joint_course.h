@@ -17,23 +17,23 @@ struct JointMoment {
   double command = 0.0;                            ///< of the joint's actuator, in its unit
   double time = 0.0;                               ///< s, since its recording began
   std::array<double, kMemories> slow_velocity{};   ///< low-passed, a time constant each
-  std::array<double, kMemories> slow_direction{};  ///< the same of the sign of the velocity
-  std::array<double, kMemories> slow_command{};    ///< the same of the command
+  std::array<double, kMemories> slow_direction{};  ///< the same filters on the sign of the velocity
+  std::array<double, kMemories> slow_command{};    ///< the same filters on the command
 };
 
-/// The course of one hinge or slider through the trials that are fitted.
+/// The motion of one hinge or slider in all fit trials.
 struct JointCourse {
   std::string joint;                             ///< without "joint."
   std::string position_unit;                     ///< rad or m
   std::string force_unit;                        ///< N*m or N
-  std::string command_unit;                      ///< of the joint's actuator; empty: it has none
-  std::vector<std::vector<JointMoment>> trials;  ///< by trial and sample; empty: it is held out
+  std::string command_unit;                      ///< of the joint's actuator; empty: the joint has none
+  std::vector<std::vector<JointMoment>> trials;  ///< by trial and sample; empty: the trial is held out
 
   std::vector<double> all(double JointMoment::*quantity) const;
 };
 
-/// Of every hinge and slider whose position is read. Time constants of memory are geometric, from the shortest length
-/// of prediction to the longest.
+/// Of every hinge and slider whose position is read. The time constants are geometric, from the shortest prediction
+/// length to the longest.
 std::vector<JointCourse> joint_courses(const SearchData& data);
 
 }  // namespace lacuna

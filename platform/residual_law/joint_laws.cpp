@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kRidges = {0.001, 0.01, 0.1, 1.0};
 constexpr double kTermRidge = 1e-6;
 constexpr std::size_t kMostTerms = 3;
-constexpr double kWorthATerm = 0.1;                ///< of what the law gains
+constexpr double kWorthATerm = 0.1;                ///< of the law's gain
 constexpr std::array kSlices = {0.03, 0.5, 0.97};  ///< of the positions, at which the force is drawn over velocity ...
 constexpr double kDriving = 0.1;                   ///< correlation of a force with the velocity
 constexpr int kSliceKnots = 9;                     ///< ... at so many velocities
@@ -33,14 +33,14 @@ bool is_of_motion(const LawFamily& family) {
 
 double quantile(std::vector<double> values, double share) { return quantile_of(values, share); }
 
-/// Where a curve of a family of one quantity is told.
+/// The points at which the curve of a family of one quantity is evaluated.
 std::vector<JointMoment> moments_at(const LawFamily& family) {
   std::vector<JointMoment> moments(family.places.size());
   for (std::size_t i = 0; i < moments.size(); ++i) moments[i].*family.of = family.places[i];
   return moments;
 }
 
-/// The law with one term more, of those with which it costs least.
+/// The law with the additional term that lowers its cost most.
 std::optional<FittedLaw> longer_by_one(const LawBench& bench, const FittedLaw& law, std::size_t terms) {
   std::optional<FittedLaw> best;
   for (std::size_t term = 0; term < terms; ++term) {
@@ -166,7 +166,7 @@ ForceCurve JointLaws::curve_over(const LawFamily& family, const FittedLaw& law) 
   return curve;
 }
 
-/// The force over velocity, as far as the joint was as fast near that position.
+/// The force over velocity, as far as the joint reached such velocities near that position.
 std::optional<ForceCurve> JointLaws::slice_at(double position, const FittedLaw& law) const {
   const std::vector<double> positions = course_.all(&JointMoment::position),
                             velocities = course_.all(&JointMoment::velocity);

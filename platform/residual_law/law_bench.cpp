@@ -54,7 +54,7 @@ BlockProducts LawBench::products_of(const std::vector<std::size_t>& functions) c
   return products_.part(values);
 }
 
-/// Sizes may be any.
+/// Functions may have any size.
 StepBounds LawBench::bounds_of(const FittedLaw& law) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const Eigen::Index own = bounds_.lower.size(), all = own + static_cast<Eigen::Index>(law.functions.size());

@@ -10,32 +10,32 @@
 
 namespace lacuna {
 
-/// A force on one joint, a sum of some of a bench's functions, fitted beside the values of a model.
+/// A force on one joint, the sum of some candidate functions, fitted together with the values of a model.
 struct FittedLaw {
   std::string kind;
   std::vector<std::size_t> functions;
   double ridge = 0.0;
-  LinearCost fit;  ///< its step: the model's values, then the functions' sizes, N*m or N
+  LinearCost fit;  ///< its step: the model's values, then the coefficients of the functions, N*m or N
   CandidateSet judged;
 };
 
-/// Functions of what one joint does as forces on it, beside a fitted model, to first order in all.
+/// Candidate functions of the motion of one joint as forces on it, beside a fitted model; all to first order.
 class LawBench {
  public:
   using Functions = std::vector<std::function<double(const JointMoment&)>>;
 
-  /// `linear`: the model on the ladder, at its fitted values and starts.
+  /// `linear`: the model linearised on the ladder, at its fitted values and initial states.
   LawBench(const PredictionLadder& ladder, const LinearPrediction& linear, const StepBounds& bounds,
            const JointCourse& course, const ForcePulses& pulses, const Functions& functions);
 
-  /// With no functions: the model itself.
+  /// Without functions: the model itself.
   FittedLaw fit(const std::string& kind, const std::vector<std::size_t>& functions, double ridge) const;
   /// With each of these ridges.
   std::vector<FittedLaw> fits(const std::string& kind, const std::vector<std::size_t>& functions,
                               std::span<const double> ridges) const;
-  /// Covariance of the functions' sizes (criterion/value_errors.h).
+  /// Covariance of the coefficients (criterion/value_errors.h).
   Eigen::MatrixXd covariance(const FittedLaw& law) const;
-  /// The functions' own sizes.
+  /// The coefficients of the functions.
   Eigen::VectorXd sizes(const FittedLaw& law) const;
 
  private:
@@ -43,7 +43,7 @@ class LawBench {
   StepBounds bounds_of(const FittedLaw& law) const;
 
   const CellLayout& layout_;
-  StepBounds bounds_;  ///< of the model's values
+  StepBounds bounds_;  ///< number of the model's values
   BlockProducts products_;
 };
 

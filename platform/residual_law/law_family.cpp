@@ -40,7 +40,7 @@ double hat(const std::vector<double>& at, std::size_t i, double x) {
   return 1.0;
 }
 
-/// Friction jumps where the velocity is none: a function that does, and a place on either side of it.
+/// Friction jumps at zero velocity: one function that jumps there, and one knot on either side.
 void add_jump(LawFamily& family) {
   family.functions.emplace_back([](const JointMoment& at) { return sign(at.velocity); });
   std::vector<double>& places = family.places;
@@ -79,7 +79,7 @@ std::function<double(const JointMoment&)> scaled_position(const JointCourse& cou
   return [middle, half](const JointMoment& at) { return std::clamp((at.position - middle) / half, -1.0, 1.0); };
 }
 
-/// A family of no one quantity.
+/// A family over more than one quantity, without a curve.
 LawFamily empty_family(const std::string& kind, bool follows_velocity) {
   LawFamily family{kind, {}};
   family.follows_velocity = follows_velocity;
@@ -127,7 +127,7 @@ LawFamily memory_of_command() {
   return family;
 }
 
-/// A force that fades or grows in a recording.
+/// A force that fades or grows during a recording.
 LawFamily drifting(LawFamily family, const JointCourse& course, double JointMoment::*of) {
   const std::vector<double> times = course.all(&JointMoment::time);
   const double last = times.empty() ? 1.0 : std::max(*std::max_element(times.begin(), times.end()), 1e-12);
@@ -147,7 +147,7 @@ LawFamily command_and_velocity() {
   return family;
 }
 
-/// A speed that `share` of the moments stay below, to two digits.
+/// The speed that `share` of the samples stay below, to two digits.
 double usual_speed(const JointCourse& course, double share) {
   std::vector<double> speeds = course.all(&JointMoment::velocity);
   if (speeds.empty()) return 0.0;
@@ -191,7 +191,7 @@ void add_waves(std::vector<ForceTerm>& all) {
   }
 }
 
-/// Friction that is stronger, or only there, at low speed.
+/// Friction that is stronger at low speed, or acts only there.
 void add_fading(std::vector<ForceTerm>& all, const JointCourse& course) {
   double last = 0.0;
   for (const double share : {0.1, 0.3, 0.6}) {

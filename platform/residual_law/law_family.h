@@ -8,21 +8,22 @@
 
 namespace lacuna {
 
-/// Functions of what a joint does whose sum is a force of one kind.
+/// Functions of the motion of one joint whose weighted sum is a force of one kind.
 struct LawFamily {
-  std::string kind;  ///< what the force goes with: "position", "velocity and its past", ...
+  std::string kind;  ///< the quantities that the force depends on: "position", "velocity and its past", ...
   std::vector<std::function<double(const JointMoment&)>> functions;
-  /// Of one quantity: where a curve of it is told, and the moment that stands for each place. Else none.
+  /// Families of one quantity: the points of its curve, and the sample that stands for each. Else none.
   std::string quantity = {}, unit = {};
   std::vector<double> places = {};
   double JointMoment::*of = nullptr;
-  bool follows_velocity = false;  ///< now or before: friction of this kind takes energy from the joint
+  bool follows_velocity =
+      false;  ///< depends on the velocity, now or before: friction of this kind takes energy from the joint
 };
 
-/// The kinds of force that a joint may feel: of position (by hats between knots at quantiles, and periodic on a hinge),
-/// of velocity, with a jump where it is none, of command and of time; of position and velocity together, damping that
-/// is periodic in the position; of the past of velocity and direction; of the past of the command, which is late; of
-/// command and velocity together; of the command and the time, and the velocity and the time, which drift.
+/// The kinds of force on a joint: of position (piecewise linear between knots at quantiles; periodic on a hinge); of
+/// velocity, with a jump at zero; of command; of time; of position and velocity together, and damping that is periodic
+/// in the position; of the past of velocity and direction; of the past of the command (a delay); of command and
+/// velocity together; of command and time, and of velocity and time (a drift).
 std::vector<LawFamily> law_families(const JointCourse& course);
 
 /// A physical term of a force law.
@@ -32,8 +33,8 @@ struct ForceTerm {
   std::function<double(const JointMoment&)> of;
 };
 
-/// Terms that physical laws are made of, with scales taken from how the joint moved: powers, products with directions,
-/// sines of the position, friction that fades with speed or grows with the load. Commands only where there are any.
+/// Terms of physical laws with scales from the motion of the joint: powers, products with directions, sines of the
+/// position, friction that fades with speed or grows with the load. Terms of the command only where there are commands.
 std::vector<ForceTerm> force_terms(const JointCourse& course);
 
 }  // namespace lacuna

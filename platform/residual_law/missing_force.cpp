@@ -37,7 +37,7 @@ std::vector<JointCourse> courses_of_answer(const SearchResult& found) {
   return courses;
 }
 
-/// A fitted model on a ladder, at its values and starts.
+/// A fitted model linearised on a ladder, at its values and initial states.
 std::optional<LinearPrediction> linearised(const SearchData& data, const PredictionLadder& ladder,
                                            const FittedModel& model) {
   const ModelBench bench = data.bench_for(model.model);
@@ -46,7 +46,7 @@ std::optional<LinearPrediction> linearised(const SearchData& data, const Predict
   return predictions.linearise(model.fit.point);
 }
 
-/// The model as it is, where the answer's part of its residuals is all that is left.
+/// The model as it is, with only that part of its residuals that the answer removes.
 LinearPrediction answers_part(const LinearPrediction& base, const LinearPrediction& answer) {
   LinearPrediction part = base;
   for (std::size_t k = 0; k < part.stretches.size(); ++k) part.stretches[k].residual -= answer.stretches[k].residual;

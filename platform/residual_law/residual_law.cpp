@@ -9,10 +9,10 @@ namespace lacuna {
 namespace {
 
 constexpr double kLeastShare = 0.05;
-constexpr double kWorthNaming = 0.05;  ///< nats at one length, as of an effect (criterion/decision.cpp)
-constexpr double kOfNoise = 1.2;       ///< mean square of whitened residuals, up to which nothing is left to a law
-constexpr double kLeastSpan = 8.0;     ///< shortest lengths, one after the other: a law follows an error that lasts
-constexpr std::uint64_t kSeed = 1;     ///< of signs drawn at random
+constexpr double kWorthNaming = 0.05;  ///< nats at one length, as for an effect (criterion/decision.cpp)
+constexpr double kOfNoise = 1.2;       ///< mean square of whitened residuals, below which no law is looked for
+constexpr double kLeastSpan = 8.0;     ///< consecutive shortest lengths: a law explains an error that persists
+constexpr std::uint64_t kSeed = 1;     ///< random sign draws
 
 struct BestLaw {
   const JointLaws* joint = nullptr;
@@ -37,7 +37,7 @@ BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints, const Ca
   return best;
 }
 
-/// Whether the recordings are long enough to tell a force from an error of the readings that lasts.
+/// Whether the recordings are long enough to tell a force from a persistent error of the readings.
 bool are_long_enough(const std::vector<Trial>& trials, double length) {
   double seconds = 0.0;
   for (const Trial& trial : trials)
@@ -45,7 +45,7 @@ bool are_long_enough(const std::vector<Trial>& trials, double length) {
   return seconds >= kLeastSpan * length;
 }
 
-/// Of all lengths and channels the largest mean square.
+/// The largest mean square of all lengths and channels.
 double most_left(const PredictionLadder& ladder, const LinearPrediction& linear) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(linear.products.values());
   return cost_at(ladder.layout, linear.products, none).mean_square.maxCoeff();

@@ -11,35 +11,37 @@
 
 namespace lacuna {
 
-/// What a fitted set leaves that goes with the motion of a joint: a force that no effect of the library has.
+/// The part of a fitted set's residual that depends on the motion of a joint: a force that no effect of the library
+/// describes.
 struct ResidualLaw {
   bool is_present = false;
-  double p = 1.0;                      ///< how often chance alone would gain as much as the best law does
+  double p = 1.0;                      ///< probability that chance alone gains as much as the best law
   CostGain gain;                       ///< over `beside`, or over `candidate`
-  double share = 0.0;                  ///< of all that this set and the law gain together
-  bool is_minor = true;                ///< beside what this set explains (criterion/decision.h)
-  std::string joint;                   ///< on which it acts, without "joint."
-  std::string kind;                    ///< what it goes with: "position and velocity"
-  std::vector<ForceCurve> curves;      ///< over each quantity that alone gains more than its error
+  double share = 0.0;                  ///< share of the gain of this set and the law together
+  bool is_minor = true;                ///< beside this set (criterion/decision.h)
+  std::string joint;                   ///< joint on which it acts, without "joint."
+  std::string kind;                    ///< quantities that it depends on: "position and velocity"
+  std::vector<ForceCurve> curves;      ///< over each quantity whose curve alone gains more than its error
   std::vector<ForceFormula> formulas;  ///< of few physical terms; none where no term gains
 };
 
-/// Laws of free form on every joint, functions of position, velocity, command, time and their past, by the criterion of
-/// the search and at its answer's own lengths, cross-fitted as it is, beside one of its sets, where the recordings hold
-/// eight times the shortest length. What it is made of must outlive it.
+/// Fits nonparametric laws on every joint, functions of position, velocity, command, time and their past, beside one of
+/// the sets. They use the criterion of the search, the lengths of its answer and the same cross-fitting, and need
+/// recordings eight times as long as the shortest length. The arguments must outlive it.
 ///
 /// The formula: sparse regression over candidate terms (S. L. Brunton, J. L. Proctor and J. N. Kutz, PNAS 113 (2016)
-/// 3932-3937), here through the model's own responses, so that nothing is differentiated.
+/// 3932-3937), here through the model's own responses, so that no measurement is differentiated.
 class ResidualLaws {
  public:
   ResidualLaws(const SearchResult& found, const FittedModel& beside);
   ResidualLaws(const ResidualLaws&) = delete;
   ResidualLaws& operator=(const ResidualLaws&) = delete;
 
-  /// The law that gains most. Present: signs with the maximum over all laws below 5 %, more than its error, at more
-  /// than one length, a twentieth of all that is gained, and a twentieth of the error at one length. Laws of the
-  /// velocity that add energy to the joint are rejected. With a `candidate` all this is asked of what the laws gain
-  /// over that set instead: whether a law explains more than it.
+  /// The law that gains most. It is present if chance alone, by random signs with the maximum over all laws, gains as
+  /// much with a probability below 5 %; if it gains more than its error, at more than one length; and if the gain is at
+  /// least a twentieth of the total gain and of the error at one length. Laws of the velocity that add energy to the
+  /// joint are rejected. With a `candidate` the same tests apply to the gain over that set: whether a law explains more
+  /// than it.
   ResidualLaw best(const FittedModel* candidate = nullptr) const;
 
  private:

@@ -58,7 +58,7 @@ Diagnosis filled() {
   whole.findings = {"a sentence"};
   whole.next_test = "steps motor 1 N*m";
   whole.next_test_setup = heavy();
-  whole.next_test_worth = "20 nats a trial";
+  whole.next_test_worth = "20 nats per trial";
   whole.stopped = StoppedSearch{"refits of candidates", {"b @ joint.hinge"}, "run it again"};
   whole.seconds = 12.5;
   return whole;

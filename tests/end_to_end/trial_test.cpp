@@ -111,13 +111,13 @@ TEST_F(TrialCommand, WritesTheCommandsOfALineForARigAndTakesThemBack) {
 }
 
 TEST_F(TrialCommand, RefusesWhatTheRigCannotDo) {
-  expect_refused("sinus motor 0.3 N*m 1 Hz 4 s", "there is no shape \"sinus\"");
+  expect_refused("sinus motor 0.3 N*m 1 Hz 4 s", "unknown shape \"sinus\"");
   expect_refused("steps engine 0.3 N*m 1 Hz 4 s", "no actuator \"engine\"");
   expect_refused("steps motor 0.8 N*m 1 Hz 4 s", "-0.5 to 0.5 N*m");
   expect_refused("steps motor 0.3 rad 1 Hz 4 s", "N*m");
-  expect_refused("steps motor 0.3 N*m 1 Hz 0.1 s", "1 s at least");
+  expect_refused("steps motor 0.3 N*m 1 Hz 0.1 s", "use 1 s or more");
   expect_refused(kTest, "--duration", {"--duration", "soon"});
-  expect_refused(kTest, "shorter than a period", {"--duration", "1 s"});
+  expect_refused(kTest, "is shorter than one period", {"--duration", "1 s"});
   expect_refused("missing.csv", "missing.csv");
   program_.write("strong.csv", "t [s],motor [N*m]\n0,0.1\n1,0.9\n");
   expect_refused("strong.csv", "beyond its limits");

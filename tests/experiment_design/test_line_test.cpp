@@ -84,32 +84,32 @@ TEST_F(TestLineTest, ABandOfOneFrequencyIsASine) {
 TEST_F(TestLineTest, SaysWhatIsWrongAndWhatWouldBeRight) {
   expect_refused("triangel motor 0.3 N*m 0.1 Hz 20 s", "did you mean \"triangle\"?");
   expect_refused("triangle moter 0.3 N*m 0.1 Hz 20 s", "did you mean \"motor\"?");
-  expect_refused("triangle motor 0.3 rad 0.1 Hz 20 s", "in N*m");
+  expect_refused("triangle motor 0.3 rad 0.1 Hz 20 s", "with a unit such as N*m");
   expect_refused("triangle motor 0.3 0.1 Hz 20 s", "\"0.3 N*m\"");
-  expect_refused("triangle motor", "the amplitude is wanted");
-  expect_refused("triangle motor 0.3 N*m", "the frequency is wanted");
-  expect_refused("triangle motor 0.3 N*m 0.1 Hz", "the line ends before it");
-  expect_refused("triangle motor 0.9 N*m 0.1 Hz 20 s", "-0.5 to 0.5 N*m; the amplitude can be 0.5 N*m");
-  expect_refused("triangle motor 0.4 N*m around 0.2 N*m 0.1 Hz 20 s", "the amplitude can be 0.3 N*m");
+  expect_refused("triangle motor", "the amplitude must be a number with a unit");
+  expect_refused("triangle motor 0.3 N*m", "the frequency must be in Hz");
+  expect_refused("triangle motor 0.3 N*m 0.1 Hz", "the line ends here");
+  expect_refused("triangle motor 0.9 N*m 0.1 Hz 20 s", "-0.5 to 0.5 N*m; reduce the amplitude to 0.5 N*m");
+  expect_refused("triangle motor 0.4 N*m around 0.2 N*m 0.1 Hz 20 s", "reduce the amplitude to 0.3 N*m");
   expect_refused("triangle slide 0.1 m 0.1 Hz 20 s", "around");
   expect_refused("triangle motor -0.3 N*m 0.1 Hz 20 s", "above 0");
   expect_refused("triangle motor nan N*m 0.1 Hz 20 s", "not finite");
   expect_refused("triangle motor 0.3 N*m 0.1-5 Hz 20 s", "one frequency");
   expect_refused("chirp motor 0.3 N*m 0.1 Hz 20 s", "two frequencies");
   expect_refused("chirp motor 0.3 N*m 5-0.1 Hz 20 s", "lower one first");
-  expect_refused("chirp motor 0.3 N*m 0.1-200 Hz 20 s", "125 Hz is the most");
-  expect_refused("triangle motor 0.3 N*m 0.1 Hz 2 s", "10 s at least");
-  expect_refused("triangle motor 0.3 N*m 0.1 Hz 20 s seed 3", "one word too many");
+  expect_refused("chirp motor 0.3 N*m 0.1-200 Hz 20 s", "use 125 Hz or less");
+  expect_refused("triangle motor 0.3 N*m 0.1 Hz 2 s", "use 10 s or more");
+  expect_refused("triangle motor 0.3 N*m 0.1 Hz 20 s seed 3", "\"seed\" is not expected here");
   expect_refused("steps motor 0.3 N*m 1 Hz 20 s seed 3.5", "whole number");
   expect_refused("steps motor 0.3 N*m 1 Hz 1e5 s", "a million");
   expect_refused("steps motor 0.3 N*m 1 Hz 20 s, steps slide 0.1 m around 0.2 m 1 Hz 10 s", "one duration");
-  expect_refused("steps motor 0.3 N*m 1 Hz 20 s, chirp motor 0.1 N*m 1-2 Hz 20 s", "stands twice");
+  expect_refused("steps motor 0.3 N*m 1 Hz 20 s, chirp motor 0.1 N*m 1-2 Hz 20 s", "appears twice");
   EXPECT_THAT([&] { parse_test_line(space_, ""); }, ThrowsMessage<Error>(HasSubstr("empty")));
 }
 
 TEST_F(TestLineTest, TellsOfEveryActuatorAtOnce) {
-  expect_refused("wave motor 0.3 N*m 1 Hz 20 s, steps slide 3 m around 0.2 m 1 Hz 20 s", "there is no shape \"wave\"");
-  expect_refused("wave motor 0.3 N*m 1 Hz 20 s, steps slide 3 m around 0.2 m 1 Hz 20 s", "beyond the limits of slide");
+  expect_refused("wave motor 0.3 N*m 1 Hz 20 s, steps slide 3 m around 0.2 m 1 Hz 20 s", "unknown shape \"wave\"");
+  expect_refused("wave motor 0.3 N*m 1 Hz 20 s, steps slide 3 m around 0.2 m 1 Hz 20 s", "exceeds the limits of slide");
 }
 
 }  // namespace

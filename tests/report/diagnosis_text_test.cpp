@@ -52,7 +52,7 @@ Diagnosis diagnosis(Verdict verdict) {
   result.untestable = {{"slope", "", "the robot has no ground to touch"}};
   result.findings = {"body.arm.mass (0.56 kg → 0.50 kg) had absorbed the effect"};
   result.next_test = "triangle motor 0.3 N*m 0.1 Hz 20 s";
-  result.next_test_worth = result.next_test + ": 12 nats a trial";
+  result.next_test_worth = result.next_test + ": 12 nats per trial";
   result.seconds = 31.0;
   return result;
 }
@@ -103,7 +103,7 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
               HasSubstr("43 candidates were tried; chance gives as large a gain as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
   EXPECT_THAT(text, HasSubstr("a test that tells coulomb_friction @ joint.hinge from the nearest other candidate: "
-                              "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
+                              "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats per trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 
