@@ -15,9 +15,9 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kForPromises = 400;  ///< samples of a length
+constexpr std::size_t kForPromises = 400;  ///< samples per length
 constexpr WantedChange kWantedChange = {0.2, 0.6, true};
-constexpr double kFarthestSize = 20.0;  ///< times its probe's size that an effect may be promised at
+constexpr double kFarthestSize = 20.0;  ///< times its probe's size: the largest size at which an effect is predicted
 
 }  // namespace
 
@@ -28,7 +28,7 @@ struct LookStage {
   LinearPrediction linear;
   std::shared_ptr<const WhitenedColumns> whitened;  ///< of it
   PredictionPoint point;
-  std::vector<double> scale;  ///< by cell: what the model leaves, over a reading's standard deviation, at least 1
+  std::vector<double> scale;  ///< by cell: the model's residual, over a reading's standard deviation, at least 1
 };
 
 namespace {
@@ -54,7 +54,7 @@ LookStage stage_for(const SearchData& data, const FittedModel& model, const Pred
   return stage;
 }
 
-/// A hypothesis, simulated beside a model's values on a ladder.
+/// A hypothesis beside a model's values on a ladder, simulated.
 class ProbedHypothesis {
  public:
   ProbedHypothesis(const SearchData& data, const FittedModel& model, const Hypothesis& hypothesis,
@@ -70,7 +70,7 @@ class ProbedHypothesis {
     return predictions_.residuals(point(model_.model.values, own), residuals);
   }
 
-  /// The cost with these values, under the derivatives by starts that `linear` has; infinite where it cannot be
+  /// The cost with these values and the derivatives by initial states of `linear`; infinite where it cannot be
   /// simulated.
   double cost(const std::vector<double>& of_model, const std::vector<double>& own, const LinearPrediction& linear) {
     std::vector<LinearStretch> stretches = linear.stretches;
@@ -112,7 +112,7 @@ std::vector<SizedProbe> sized(const SearchData& data, const FittedModel& model, 
   return size_probes(hypothesis, simulate, kWantedChange, data.scales());
 }
 
-/// Names of a hypothesis's own values, in their order.
+/// Names of the effect's values, in their order.
 std::vector<std::string> own_names(const Hypothesis& hypothesis) {
   std::vector<std::string> names;
   for (const std::size_t i : hypothesis.own) {
@@ -122,7 +122,7 @@ std::vector<std::string> own_names(const Hypothesis& hypothesis) {
   return names;
 }
 
-/// What each of the effect's probes changes of the model's predictions.
+/// The change of the model's predictions by each of the effect's probes.
 std::vector<ProbeResponse> responses_of(const SearchData& data, const FittedModel& model, const Hypothesis& hypothesis,
                                         const LookStage& few, const LookStage& stage, std::string& failure) {
   std::vector<ProbeResponse> responses;
@@ -144,7 +144,7 @@ StepBounds bounds_of(const LookStage& stage) {
   return {stage.space.lower() - stage.point.values, stage.space.upper() - stage.point.values};
 }
 
-/// The model of the stage with some responses beside it.
+/// The model of the stage together with some responses.
 class StageWithLaw {
  public:
   StageWithLaw(const LookStage& stage, const std::vector<ProbeResponse>& responses, const std::vector<std::size_t>& law)
@@ -175,9 +175,9 @@ class StageWithLaw {
   LinearCost least_;
 };
 
-/// What the laws of one hypothesis do beside the model of a stage.
+/// The responses of the laws of one hypothesis beside the model of a stage.
 struct LookedLaws {
-  std::optional<EffectPromise> best;   ///< nothing where none could be simulated
+  std::optional<EffectPromise> best;   ///< nothing where no law could be simulated
   std::vector<Eigen::VectorXd> costs;  ///< by block of time, cross-fitted
 };
 

@@ -11,39 +11,39 @@
 
 namespace lacuna {
 
-/// What one effect beside a fitted model promises to first order.
+/// The first-order prediction of the gain by one effect beside a fitted model.
 struct EffectPromise {
   std::size_t hypothesis = 0;
-  double cost = 0.0;               ///< that is left, nats
-  std::vector<SizedProbe> probes;  ///< of the effect's values: alike but for the one that each was sized by
-  Eigen::VectorXd step;            ///< of the model's values, then times each probe
+  double cost = 0.0;               ///< cost with the effect, nats
+  std::vector<SizedProbe> probes;  ///< of the effect's values; they differ only in the parameter that was sized
+  Eigen::VectorXd step;            ///< step of the model's values, then the factor of each probe
   Eigen::VectorXd gains = {};      ///< nats by block of time, cross-fitted
 };
 
 struct LookStage;
 
-/// The whole library beside one fitted model.
+/// First-order gains of the whole library beside one fitted model.
 struct EffectLook {
   std::vector<Hypothesis> hypotheses;
   std::vector<Untestable> untestable;
   std::vector<EffectPromise> promises;  ///< the least cost first
   double cost = 0.0;                    ///< of the model itself
-  std::vector<Eigen::VectorXd> gains;   ///< nats by block of time, cross-fitted: of every law that was looked at
+  std::vector<Eigen::VectorXd> gains;   ///< nats by block of time, cross-fitted: of every law examined
   std::shared_ptr<const LookStage> stage;
   std::shared_ptr<const std::vector<std::vector<ProbeResponse>>> responses;  ///< by hypothesis
 };
 
 EffectLook look_at_library(const SearchData& data, const FittedModel& model, const PredictionLadder& ladder);
 
-/// The same beside another model, by what the effects changed in the first look: no effect is simulated.
+/// The same beside another model, with the responses of the first one: no effect is simulated again.
 EffectLook look_beside(const SearchData& data, const FittedModel& model, const EffectLook& look);
 
-/// Where a fit of the model with the effect begins: with the probe as it is or as large as it promises most, and with
-/// the model's values as they are or moved along, whichever costs least in truth.
+/// The start of a fit of the model with the effect: the probe at its own or its predicted size, and the model's values
+/// with or without their predicted step; of these the one with the lowest simulated cost.
 NamedValues start_of_fit(const SearchData& data, const FittedModel& model, const EffectLook& look,
                          const EffectPromise& promise);
 
-/// Whether two effects do alike things at one place, by what either declares.
+/// Whether two effects act alike at one place, according to the declaration of either.
 bool of_one_kind(const Hypothesis& one, const Hypothesis& other);
 
 }  // namespace lacuna

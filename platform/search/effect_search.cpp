@@ -16,20 +16,20 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kSingles = 18;  ///< effects that are fitted alone
-constexpr std::size_t kLeading = 2;   ///< sets beside which the library is looked at
-constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each
-constexpr std::size_t kKinds = 5;     ///< best effects that do not do the same, fitted two at a time
+constexpr std::size_t kLeading = 2;   ///< sets beside which the whole library is examined
+constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each of them
+constexpr std::size_t kKinds = 5;     ///< the best effects that act differently, fitted in pairs
 constexpr std::size_t kBesidePair = 3;
-constexpr std::size_t kSwapped = 3;  ///< effects that are tried in a member's place
+constexpr std::size_t kSwapped = 3;  ///< effects tried in place of a member
 constexpr std::size_t kMostMembers = 3;
-constexpr double kWorthATriple = 0.05;  ///< of the whole gain, that a pair adds
-constexpr double kSame = 0.1;           ///< of the gain by blocks, within which two effects do the same
-constexpr std::uint64_t kSeed = 1;      ///< of signs drawn at random
+constexpr double kWorthATriple = 0.05;  ///< of the whole gain, which a pair must add
+constexpr double kSame = 0.1;           ///< of the gain by blocks: two effects closer than this act alike
+constexpr std::uint64_t kSeed = 1;      ///< of the random signs
 
 /// Members of one model: "b" beside "a".
 using Entries = std::vector<EffectEntry>;
 
-/// The model as it is first; without those that have a value for each of many joints.
+/// The model as it is first; without candidates that have a value for each of many joints.
 std::vector<const FittedModel*> sets_of(const FittedModels& models) {
   std::vector<const FittedModel*> sets = {&models.base()};
   for (const auto& [members, model] : models.all())
@@ -51,10 +51,11 @@ class EffectSearch {
   void run() {
     say("the model as it is");
     const std::vector<NamedValues> start = {{}};
-    if (!models_.fit({}, start)) throw NothingPredictable("the model cannot be simulated from any start");
+    if (!models_.fit({}, start))
+      throw NothingPredictable("the model cannot be simulated from any initial state; check its values");
     look_ = look_at_library(data_, models_.base(), models_.ladder());
     looked_.push_back({{}, look_.gains});
-    say("the library looked at");
+    say("first-order gains of the library");
     fit_singles();
     if (!gains_anything()) return;
     fit_pairs();
@@ -109,7 +110,7 @@ class EffectSearch {
     }
   }
 
-  /// Of sets of a size, first those that gain most where they were not fitted, less what each value is worth.
+  /// The sets of a size by decreasing gain on data to which they were not fitted, less the price of their values.
   std::vector<const FittedModel*> ordered(std::size_t size) const {
     std::vector<const FittedModel*> sets;
     for (const auto& [members, model] : models_.all())
@@ -133,7 +134,7 @@ class EffectSearch {
     });
   }
 
-  /// Whether an effect does the same as one of these, or is a richer law of its kind.
+  /// Whether an effect acts like one of these, or is a richer law of its kind.
   bool is_like(const FittedModel& single, const std::vector<Entries>& chosen) const {
     return std::any_of(chosen.begin(), chosen.end(), [&](const Entries& other) {
       const FittedModel& before = *models_.find(members_of(other));
@@ -156,7 +157,7 @@ class EffectSearch {
     const EffectLook look = lacuna::look_beside(data_, known, look_);
     std::erase_if(looked_, [&](const LookedBeside& before) { return before.members == members; });
     looked_.push_back({members, look.gains});
-    say(fmt::format("the library beside {}", fmt::join(members, " + ")));
+    say(fmt::format("first-order gains of the library beside {}", fmt::join(members, " + ")));
     for (const EffectPromise& promise : best_promises(look, members, most)) {
       Entries added = parent;
       added.push_back(look.hypotheses[promise.hypothesis].entry);
@@ -215,7 +216,7 @@ class EffectSearch {
     for (const Entries& pair : leading) look_beside(pair, kBesidePair);
   }
 
-  /// The best set with each member in turn replaced by what promises most beside the others.
+  /// The best set with each member in turn replaced by the effect with the largest predicted gain beside the others.
   void swap_members() {
     const Entries added = best_set()->model.added;
     const NamedValues values = best_set()->values;
@@ -226,8 +227,7 @@ class EffectSearch {
     }
   }
 
-  /// The best set and the best single effect, each member replaced by simpler effects of its kind, one or two: friction
-  /// by direction is a dry friction and a constant force.
+  /// The best set and the best single effect, each member replaced by one or two simpler effects of its kind.
   void simplify_members() {
     const std::vector<const FittedModel*> singles = ordered(1);
     if (!singles.empty()) simplify(singles.front()->model.added, NamedValues(singles.front()->values));
@@ -247,7 +247,7 @@ class EffectSearch {
     }
   }
 
-  /// Effects of one kind with an effect that have fewer values, the most promising first.
+  /// Effects of the same kind with fewer values, the largest predicted gain first.
   std::vector<EffectPromise> simpler_than(const EffectEntry& entry, const Entries& added) const {
     std::vector<EffectPromise> simpler;
     const Hypothesis& rich = hypothesis_of(entry);
@@ -283,7 +283,7 @@ class EffectSearch {
     return rest;
   }
 
-  /// Parts of the best sets from their values, those of the very best even where they are known: nesting from above.
+  /// Refits the parts of the best sets from the values of the sets; parts of the very best even where they are fitted.
   void refit_parts() {
     std::vector<std::pair<Entries, NamedValues>> best = {{best_set()->model.added, best_set()->values}};
     for (const FittedModel* set : ordered(kMostMembers))
@@ -291,7 +291,7 @@ class EffectSearch {
     for (std::size_t i = 0; i < best.size(); ++i) refit_parts_of(best[i].first, best[i].second, i == 0);
   }
 
-  /// Sets that are nearly as good as the best, with derivatives of their own.
+  /// Refits the sets that are nearly as good as the best, with their own derivatives.
   void refit_nearly_as_good() {
     const double enough = best_set()->judged.cost.cost + kSame * whole_gain();
     std::vector<std::pair<Entries, NamedValues>> near;
@@ -309,7 +309,7 @@ class EffectSearch {
     }
   }
 
-  /// A set must not cost more than any part of it: where it does, it is fitted from there.
+  /// Where a set costs more than a part of it, refits the set from the part: its cost cannot be higher.
   void mend_nesting() {
     std::vector<Entries> all;
     for (const auto& [members, model] : models_.all()) all.push_back(model.model.added);
@@ -328,7 +328,7 @@ class EffectSearch {
     return *sets[decide(judged_sets(models_), looked_, kSeed).answer];
   }
 
-  /// The answer with a member exchanged for what promises the same: the effects that these data do not tell from it.
+  /// The answer with a member replaced by one of equal predicted gain: indistinguishable on these data.
   void fit_twins_of_answer() {
     const FittedModel& found = answer();
     const Entries added = found.model.added;
@@ -343,7 +343,7 @@ class EffectSearch {
     const FittedModel& from = answer();
     spread_from_ = from.judged.members;
     spread_ = spread_over_places(models_, look_, from, whole_gain());
-    if (spread_) say("a value for each joint");
+    if (spread_) say("one value per joint");
   }
 
   static FittedModels::Members members_of(const Entries& added) {
@@ -374,7 +374,7 @@ void conclude(const EffectSearch& search, SearchResult& result) {
   count_nesting(result);
 }
 
-/// Nothing where the time limit is reached before the model as it is was fitted.
+/// Nothing where the time limit was reached before the model as it is was fitted.
 bool search_over(const PredictionLadder& ladder, KeptFits& kept, SearchResult& result) {
   EffectSearch search(*result.data, ladder, kept);
   try {

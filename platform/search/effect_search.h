@@ -8,20 +8,20 @@
 
 namespace lacuna {
 
-/// What a search found: all sets that were fitted, and what follows from them.
+/// The result of a search: all sets that were fitted, and the decision.
 struct SearchResult {
   std::shared_ptr<const SearchData> data;
   CellLayout layout;                  ///< of the sets' products
   std::vector<FittedModel> sets;      ///< the model as it is first
-  std::vector<LookedBeside> looked;   ///< all that was looked at beside some of them
+  std::vector<LookedBeside> looked;   ///< all candidates examined beside some set
   Decision decision;                  ///< its numbers are indices into `sets`
-  std::optional<FittedModel> spread;  ///< the answer on every joint that the data tell it of (spread.h)
-  bool by_all_lengths = false;        ///< the shorter lengths showed nothing
-  std::size_t hypotheses = 0;         ///< effect × place
+  std::optional<FittedModel> spread;  ///< the answer on every joint where the data determine its values (spread.h)
+  bool by_all_lengths = false;  ///< the answer was decided with all lengths because the shorter ones showed nothing
+  std::size_t hypotheses = 0;   ///< effect × place
   std::vector<Untestable> untestable;
   int fits = 0;
-  int nested = 0, unnested = 0;  ///< sets with a part that was fitted, too: all, and those that cost more than it
-  bool stopped = false;          ///< by the time limit, which is lifted: about the sets fitted until then
+  int nested = 0, unnested = 0;  ///< number of sets with a fitted part, and of those that cost more than it
+  bool stopped = false;  ///< by the time limit, which is then lifted: the result covers the sets fitted until then
 
   /// The model as it is where nothing is missing.
   const FittedModel& answer() const { return spread ? *spread : sets[decision.answer]; }

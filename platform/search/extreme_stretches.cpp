@@ -18,8 +18,8 @@ std::vector<double> readings_of(const PredictedStretch& stretch, const std::vect
   return values;
 }
 
-/// Of the stretches of the middle length those in which a channel reads most and least, and rises and falls most: where
-/// limits are reached.
+/// The stretches of the middle length with the largest and smallest reading of a channel and the steepest rise and
+/// fall: there limits are reached.
 std::vector<PredictedStretch> extremes(const PredictionLadder& ladder, const std::vector<Trial>& trials,
                                        std::size_t channel) {
   constexpr std::size_t kFigures = 4;

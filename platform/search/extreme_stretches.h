@@ -7,10 +7,10 @@
 
 namespace lacuna {
 
-/// Of "joint.hinge", "actuator.motor" or "sensor.angle", or of a value there, the joint; otherwise empty.
+/// The joint of "joint.hinge", "actuator.motor" or "sensor.angle", or of a value there; otherwise empty.
 std::string joint_at(const RobotSpec& robot, const std::string& where);
 
-/// By which the sizes of an effect are found: few stretches of the middle length, and the extremes of its joint.
+/// The stretches by which effects are sized: a few of the middle length, and the extremes of the effect's joint.
 PredictionLadder for_sizes(const PredictionLadder& ladder, const RobotSpec& robot, const std::vector<Trial>& trials,
                            const std::string& joint);
 

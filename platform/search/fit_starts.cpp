@@ -3,7 +3,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSlightly = 0.02;  ///< of a size's way from where it changes nothing
+constexpr double kSlightly = 0.02;  ///< of a size's distance from its neutral value
 
 }  // namespace
 

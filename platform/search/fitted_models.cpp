@@ -14,12 +14,13 @@ namespace lacuna {
 namespace {
 
 constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
-constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
+constexpr std::size_t kSamplesOfDescent = 500;  ///< of the stretches of a length: a first fit uses these
 constexpr double kBetter = 1e-4;                ///< nats
-constexpr double kProportion = 1e-2;            ///< of information, that two values which act as one do not share
+constexpr double kProportion =
+    1e-2;  ///< share of information by which two values must differ; with less they act as one
 constexpr const char* kTiming = "timing";
 
-/// The name of a value by the member that it belongs to.
+/// The name of a value, prefixed with the member that it belongs to.
 std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added) {
   for (const EffectEntry& entry : added)
     if (belongs_to(free, entry)) return member_name(entry) + "." + last_name(free.address);
@@ -82,7 +83,7 @@ std::vector<double> FittedModels::values_for(const Contender& model, const Named
 FittedModels::FittedModels(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept)
     : data_(data), ladder_(ladder), few_(thinned(ladder, kSamplesOfDescent)), kept_(kept) {}
 
-/// What an earlier search found; nothing of the model as it is, whose derivatives all others begin with.
+/// Values of an earlier search. The model as it is never starts from them: all other fits begin with its derivatives.
 const KeptFit* FittedModels::known_fit(const std::vector<EffectEntry>& added) const {
   const KeptFits* known = data_.task().known;
   if (!known || added.empty()) return nullptr;
@@ -103,7 +104,7 @@ const FittedModel* FittedModels::restore(const std::vector<EffectEntry>& added, 
   return keep(std::move(model), std::move(restored));
 }
 
-/// Values over some of the lengths are not those over all.
+/// The number of lengths is part of the name: values fitted to some lengths differ from those of all.
 std::string FittedModels::kept_name(const std::vector<EffectEntry>& added) const {
   return fmt::format("{} lengths: {}", ladder_.lengths.size(), fmt::join(member_names(added), " + "));
 }
@@ -197,8 +198,8 @@ std::vector<std::string> FittedModels::held_of(const EffectEntry& entry) const {
   return held == held_.end() ? std::vector<std::string>{} : held->second;
 }
 
-/// Of values that act only together, such as an area and a density, factors stay where they begin: the data tell the
-/// product, which stays what it is in `values`. Whether there are such that were fitted.
+/// Holds one of two values that act only together, such as area and density: the data determine their product, which
+/// `values` keeps. Returns whether any fitted value was held.
 bool FittedModels::hold_redundant_values(const FittedModel& single, NamedValues& values) {
   if (single.model.added.size() != 1 || held_.contains(member_name(single.model.added.front()))) return false;
   const EffectEntry& entry = single.model.added.front();
@@ -220,7 +221,8 @@ bool FittedModels::hold_redundant_values(const FittedModel& single, NamedValues&
     held.push_back(address.substr(effect_address(entry.id, "").size()));
     const auto k = static_cast<std::size_t>(*as_one);
     double& other = values.at(name_of(single.model.definition.free[k], single.model.added));
-    const double change = known(j, *as_one) / known(*as_one, *as_one);  // of the other's coordinate, by a unit of this
+    const double change =
+        known(j, *as_one) / known(*as_one, *as_one);  // change of the other's coordinate per unit of this one
     const bool is_logarithmic = single.model.definition.free[k].scale == Scale::logarithmic;
     if (other != 0.0) other *= std::pow(single.model.values[i] / begin[i], is_logarithmic ? change : change / other);
   }

@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// A model's values, in the order of its free values, with the timing last where that is among them.
+/// A model's values in the order of its free values, the timestamp offset last where it is fitted.
 NamedValues named_values(const Contender& model, const std::vector<double>& values);
 
 /// A set of effects beside the model, fitted.
@@ -21,20 +21,20 @@ struct FittedModel {
   CandidateSet judged;
 };
 
-/// Fits sets of effects over one ladder, and remembers them by their members.
+/// Fits sets of effects on one ladder and keeps the fits by their members.
 class FittedModels {
  public:
-  /// `kept`: gets what is fitted, and must outlive this.
+  /// `kept`: receives the fits; must outlive this.
   FittedModels(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept);
 
   using Members = std::set<std::string>;
 
-  /// Fits the set from each of these starts on few stretches, goes on from the best on all, and keeps what costs least,
-  /// together with what was known of it. Values that a start does not name are as the file has them. Nothing where it
-  /// cannot be simulated, or gains less than `least_share` of what the best set does on few stretches.
+  /// Fits the set from each of these starts on a few stretches, continues from the best on all, and keeps the cheapest,
+  /// also compared with an earlier fit of the set. Values that a start does not name come from the file. Nothing where
+  /// the set cannot be simulated, or gains less than `least_share` of the best set's gain on the few stretches.
   const FittedModel* fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,
                          double least_share = 0.0);
-  /// Goes on from this start on all stretches.
+  /// Continues from this start on all stretches.
   const FittedModel* refine(const std::vector<EffectEntry>& added, const NamedValues& start);
   const FittedModel* find(const Members& members) const;
   const FittedModel& base() const { return models_.at({}); }
@@ -58,10 +58,11 @@ class FittedModels {
   const PredictionLadder few_;
   KeptFits& kept_;
   std::map<Members, FittedModel> models_;
-  std::map<std::string, std::vector<std::string>> held_;  ///< by member: values that act only as another of it does
-  LikeModel plain_, few_plain_;                           ///< derivatives of the model as it is
-  double cost_on_few_ = 0.0;                              ///< nats, of the model as it is
-  double most_on_few_ = 0.0;                              ///< nats, that a set gains
+  std::map<std::string, std::vector<std::string>>
+      held_;                     ///< by member: values that act only together with another of its values
+  LikeModel plain_, few_plain_;  ///< derivatives of the model as it is
+  double cost_on_few_ = 0.0;     ///< nats, of the model as it is
+  double most_on_few_ = 0.0;     ///< nats, the most that a set gained
   int fits_ = 0;
 };
 

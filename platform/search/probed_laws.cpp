@@ -18,9 +18,9 @@ bool is_factor(const Hypothesis& hypothesis, const SizedProbe& probe) {
   return free.scale == Scale::logarithmic && neutral > free.lower && neutral < free.upper;
 }
 
-/// The value by which a probe was sized, so many times as far from where it changes nothing. A factor goes as many
-/// times, up or down; what changes nothing at an end of its range acts in proportion to it, or to its reciprocal: what
-/// is stiff does little.
+/// The parameter by which a probe was sized, moved to a multiple of its distance from its neutral value. A factor is
+/// multiplied or divided. A parameter that is neutral at an end of its range acts in proportion to it, or to its
+/// reciprocal: a stiff spring changes little.
 double value_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, double size) {
   const std::size_t i = *probe.sized;
   const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
@@ -32,7 +32,7 @@ double value_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, doub
   return std::clamp(value, free.lower, free.upper);
 }
 
-/// Whether two probes act together to first order: the same law, each sized by another linear value of it.
+/// Whether two probes can be added to first order: the same law, each sized by another linear parameter.
 bool act_together(const Hypothesis& hypothesis, const SizedProbe& one, const SizedProbe& other) {
   if (!one.sized || !other.sized || *one.sized == *other.sized) return false;
   for (std::size_t i = 0; i < one.own.size(); ++i) {

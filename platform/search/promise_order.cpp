@@ -5,9 +5,11 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNearlyAsMuch = 0.3;   ///< of what a simpler effect of its kind promises: less is not fitted
+constexpr double kNearlyAsMuch =
+    0.3;  ///< of the predicted gain of a simpler effect of its kind; with less, an effect is not fitted
 constexpr double kLeastPromise = 1e-3;  ///< nats
-constexpr double kSamePromise = 0.03;   ///< of the gains by blocks of time, within which two effects promise the same
+constexpr double kSamePromise =
+    0.03;  ///< of the gains by blocks of time: effects closer than this are predicted to act alike
 
 std::vector<EffectPromise> cheapest_first(const EffectLook& look, double worth_of_value) {
   std::vector<EffectPromise> promises = look.promises;
@@ -19,7 +21,7 @@ std::vector<EffectPromise> cheapest_first(const EffectLook& look, double worth_o
   return promises;
 }
 
-/// One effect of a look against those that were chosen before it.
+/// An effect compared with those chosen before it.
 struct Compared {
   const EffectLook& look;
   const EffectPromise& promise;

@@ -8,17 +8,17 @@
 
 namespace lacuna {
 
-/// Of the whole gain, what a value is worth in the order in which sets lead to larger ones.
+/// Price of a value, as a share of the whole gain, in the order in which sets are extended.
 inline constexpr double kWorthOfAValue = 0.1;
-/// Of what the best effect promises, or gains: less is not followed.
+/// Share of the best effect's predicted or reached gain; an effect with less is not followed up.
 inline constexpr double kLeastShare = 0.1;
 
-/// Of the effects of a look those that are worth a fit, the most promising first, less what their values are worth: at
-/// most so many. None of `beside`, none that a simpler law of its kind outdoes by far, one of those that promise the
-/// same.
+/// The effects that are worth a fit, by decreasing predicted gain less the price of their values, at most so many.
+/// Leaves out those in `beside`, those with far less predicted gain than a simpler law of their kind, and all but one
+/// of those that act alike.
 std::vector<EffectPromise> best_promises(const EffectLook& look, const std::set<std::string>& beside, std::size_t most);
 
-/// The other effects that promise the same as a member ("coulomb_friction @ joint.hinge").
+/// The other effects with the same predicted gain as a member ("coulomb_friction @ joint.hinge").
 std::vector<EffectPromise> twins_of(const EffectLook& look, const std::string& member);
 
 }  // namespace lacuna

@@ -9,19 +9,19 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFineEnough = 0.02;  ///< nats that half the integration step may change the cost by
+constexpr double kFineEnough = 0.02;  ///< nats by which halving the integration step may change the cost
 constexpr int kMostSubsteps = 64;
-constexpr double kMostSamples = 1500.0;  ///< of a length, in one channel: more tell hardly more
-constexpr double kMostStretches = 80.0;  ///< of a length: two in each block of time
+constexpr double kMostSamples = 1500.0;  ///< per length and channel; further samples add little
+constexpr double kMostStretches = 80.0;  ///< per length: two in each block of time
 constexpr std::size_t kFewStretches = 40;
-constexpr double kReadingsOfAValue = 8.0;  ///< fewer tell nothing that can be told from chance
+constexpr double kReadingsOfAValue = 8.0;  ///< per channel; with fewer a gain cannot be told from chance
 
 Experiment coarse(Experiment experiment) {
   if (substeps_decided(experiment)) experiment.engine.substeps = 1;
   return experiment;
 }
 
-/// Every length is predicted over the same share of the recordings.
+/// Every length covers the same share of the recordings.
 std::size_t most_stretches(const std::vector<Trial>& trials, const std::vector<double>& lengths, double most_samples) {
   double samples = 0.0, seconds = 0.0;
   for (const Trial& trial : trials) {
@@ -107,11 +107,11 @@ void SearchData::build_ladders() {
   ladder_ = ladder_of(fitted, lengths, most_stretches(task_.trials, lengths, kMostSamples / root_of_channels(noise_)));
   deciding_ = shorter(ladder_, kDecidingLengths);
   if (ladder_.stretches.empty())
-    throw NothingPredictable("no prediction can be judged: the recordings are too short for one");
+    throw NothingPredictable("no prediction can be evaluated: the recordings are too short; record longer ones");
 }
 
-/// Doubles the integration steps until that no longer changes what the model as it is costs. Impacts on the ground
-/// follow no order of the step: there it stays.
+/// Doubles the number of integration steps until the cost of the model as it is stays the same. With ground contact the
+/// error follows no order of the step, so the step is kept.
 void SearchData::choose_substeps() {
   const ModelBench first = bench_for(plain_);
   const PredictionLadder few = ladder_of(source(first), deciding_.lengths, kFewStretches);
@@ -141,7 +141,9 @@ void SearchData::choose_substeps() {
     now = then;
     is_valid = is_next_valid;
   }
-  if (!is_valid) throw NothingPredictable("the model cannot be simulated from the starts that the readings tell");
+  if (!is_valid)
+    throw NothingPredictable(
+        "the model cannot be simulated from the initial states of the recordings; check its parameter values");
 }
 
 }  // namespace lacuna

@@ -17,26 +17,26 @@
 
 namespace lacuna {
 
-/// No prediction can be judged; the sentence says why, and what to do.
+/// No prediction can be evaluated; the message says why and what to do.
 class NothingPredictable : public Error {
  public:
   using Error::Error;
 };
 
-/// What is searched for a model's missing effects. Everything referred to must live as long as the search.
+/// The task of a search. Everything that it refers to must live as long as the search.
 struct EffectSearchTask {
   const Experiment& experiment;
   const PluginCatalog& catalog;
-  const std::vector<Trial>& trials;     ///< held-out ones are looked at once the answer stands
-  std::vector<double> values;           ///< of the model's free values, to begin with
+  const std::vector<Trial>& trials;     ///< held-out trials are read only after the answer is chosen
+  std::vector<double> values;           ///< start values of the model's free values
   std::vector<std::string> among = {};  ///< effects to try; empty: all
   int threads = 1;
-  const KeptFits* known = nullptr;                    ///< of an earlier search for the same; null: none
-  std::function<void(const KeptFits&)> keep = {};     ///< gets all fits after each
-  std::function<void(const std::string&)> note = {};  ///< gets a line for every look and fit
+  const KeptFits* known = nullptr;                    ///< fits of an earlier search for the same task; null: none
+  std::function<void(const KeptFits&)> keep = {};     ///< receives all fits after each new one
+  std::function<void(const std::string&)> note = {};  ///< receives a line for every step and fit
 };
 
-/// One model of a search: its parts, put together for predictions by some threads.
+/// One candidate model, ready for predictions by several threads.
 class ModelBench {
  public:
   ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
@@ -50,17 +50,17 @@ class ModelBench {
   ParameterSpace space_;
 };
 
-/// A stamp that is written once a command has been sent leaves half an interval open. Later than recorded is a delay,
-/// which is to be named.
+/// Range of the timestamp offset. A time stamp that is written after a command was sent leaves half an interval open. A
+/// later action than that is a delay, which is an effect.
 inline constexpr TimingRange kCommandsMayAct = {-0.5, 0.0};
 
-/// Whether a model has effects or free values of sensors, so that readings tell its starts only through them.
+/// Whether a model has effects or free values of sensors, which change the initial states that readings give.
 bool changes_readings(const ModelDefinition& definition);
 
-/// What all models of a search have in common: recordings, starts, lengths of prediction, noise of readings.
+/// Data shared by all models of a search: recordings, initial states, prediction lengths, noise of readings.
 class SearchData {
  public:
-  /// Throws `NothingPredictable` where the model cannot be simulated from the starts that the readings tell.
+  /// Throws `NothingPredictable` where the model cannot be simulated from the initial states of the recordings.
   explicit SearchData(const EffectSearchTask& task);
 
   const EffectSearchTask& task() const { return task_; }
@@ -72,13 +72,15 @@ class SearchData {
   PredictionLadder held_out() const;
   /// See `data_scales`.
   const std::map<std::string, double>& scales() const { return scales_; }
-  /// Keeps values of added effects within what the readings resolve.
+  /// Limits values of added effects to what the readings resolve.
   void bound(Contender& model) const { bound_by_resolution(model.added, scales_, model.definition.free); }
   void bound(std::vector<Hypothesis>& hypotheses) const;
   double readings() const;  ///< that are fitted
   /// Whether there are readings enough for so many values: eight for each.
   bool tells(double values) const;
-  bool timing() const { return timing_; }  ///< when commands act is fitted, as a last value beside the model's
+  bool timing() const {
+    return timing_;
+  }  ///< the timestamp offset of commands is fitted as a last value beside the model's
 
   ModelBench bench_for(const Contender& model) const {
     return {model.definition, *model.model, task_.trials, timing_, task_.threads, kCommandsMayAct};

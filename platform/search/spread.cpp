@@ -17,7 +17,7 @@ constexpr std::uint64_t kSeedOfSigns = 1;  ///< of signs drawn at random
 constexpr const char* kOfEach = ".*";
 constexpr int kRounds = 4;             ///< of fits
 constexpr double kSettled = 0.01;      ///< nats
-constexpr double kWorthAPlace = 0.01;  ///< of the whole gain, for a told value
+constexpr double kWorthAPlace = 0.01;  ///< of the whole gain, for each value that the data determine
 
 bool is_tied(const EffectEntry& entry) { return entry.where.size() == 1 && entry.where.front().ends_with(kOfEach); }
 
@@ -45,7 +45,7 @@ struct SpreadSet {
   NamedValues start;
 };
 
-/// Where an effect was on all at once, each begins with the values that all had; elsewhere near nothing.
+/// The start values: of an effect that was on all elements at once, its common values; else near neutral.
 SpreadSet spread_set(const FittedModel& answer, const EffectLook& look) {
   SpreadSet set{{}, answer.values};
   NamedValues near_nothing;
@@ -69,7 +69,7 @@ const Hypothesis& hypothesis_of(const EffectEntry& entry, const EffectLook& look
                        [&](const Hypothesis& one) { return member_name(one.entry) == member_name(entry); });
 }
 
-/// Whether a value of the effect is surely not where it changes nothing.
+/// Whether a value of the effect differs significantly from neutral.
 bool is_told(const EffectEntry& entry, const FittedModel& set, const FittedModels& models, const EffectLook& look) {
   const CellLayout& layout = models.ladder().layout;
   const Eigen::VectorXd errors =
@@ -92,7 +92,7 @@ bool is_told(const EffectEntry& entry, const FittedModel& set, const FittedModel
   return false;
 }
 
-/// As long as that lowers the cost.
+/// Repeats while that lowers the cost.
 const FittedModel* refined(FittedModels& models, const std::vector<EffectEntry>& entries, const NamedValues& start) {
   const FittedModel* set = models.refine(entries, start);
   for (int round = 1; set && round < kRounds; ++round) {

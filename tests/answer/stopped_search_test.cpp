@@ -89,13 +89,14 @@ TEST_F(StoppedSearchTest, EndsWithWhatIsKnownWhereverItIsStopped) {
                                             "joint_offset_torque @ joint.hinge"));
   EXPECT_THAT(before.stopped->next, testing::HasSubstr("a longer --time-limit"));
 
-  const Diagnosis among_first = stopped_after(parts.at("the library looked at") + 1);
+  const Diagnosis among_first = stopped_after(parts.at("first-order gains of the library") + 1);
   expect_preliminary(among_first);
   EXPECT_EQ(among_first.stopped->during, "the search");
   EXPECT_FALSE(among_first.stopped->not_examined.empty());
   EXPECT_FALSE(among_first.base.empty()) << "the model alone was judged";
 
-  const Diagnosis late = stopped_after(parts.at("the library beside joint_spring @ joint.hinge") + 1);
+  const Diagnosis late =
+      stopped_after(parts.at("first-order gains of the library beside joint_spring @ joint.hinge") + 1);
   expect_preliminary(late);
   EXPECT_EQ(late.verdict, Verdict::effect_found);
   EXPECT_EQ(answer_of(late), "joint_spring");

@@ -345,9 +345,10 @@ TEST(NextTest, DrawsTheSameTestsForOneSetup) {
 
 TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
   const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {}, {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
-  EXPECT_EQ(to_string(test),
-            "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats per trial (a random test: 12), 1 trial for 5 nats (a "
-            "random test: 1 trial)");
+  EXPECT_EQ(
+      to_string(test),
+      "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats per trial (a random test: 12), 1 trial for 5 nats (a "
+      "random test: 1 trial)");
 }
 
 TEST(NextTest, SaysWhatItCannotTellApart) {
