@@ -18,10 +18,10 @@ constexpr std::array kStretches = {0.1, 0.2, 0.4};  // s
 constexpr double kClear = 5.0;                      // RMS of measured accelerations over their noise
 constexpr Eigen::Index kFewestSamples = 6;
 constexpr Eigen::Index kFewestStretches = 5;
-constexpr double kTooLarge = 10.0;  // predicted accelerations over measured ones
+constexpr double kTooLarge = 10.0;  // ratio of predicted to measured accelerations
 constexpr double kRest = 0.1;       // of the RMS velocity
 
-/// A channel that tells a joint coordinate.
+/// A channel that measures a joint coordinate.
 struct Source {
   Eigen::Index column;
   int order;
@@ -56,7 +56,7 @@ Eigen::VectorXd weights_of(const Eigen::VectorXd& times, int order) {
   return powers * highest * (order == 2 ? 2.0 / (half * half) : 1.0 / half);
 }
 
-/// The trials with one command alone, of which `share` is left.
+/// The trials with the commands of one actuator alone, scaled by `share`.
 std::vector<Trial> silenced(std::vector<Trial> trials, const std::string& all_but, double share) {
   for (Trial& trial : trials) {
     TimeSeries& commands = trial.commands.series;
@@ -82,7 +82,7 @@ ChannelAccelerations selected(const ChannelAccelerations& all, const std::vector
   return some;
 }
 
-/// Without the stretches in which the joint rests or turns, where dry friction may hold any force.
+/// Leaves out the stretches in which the joint rests or turns: dry friction may hold any force there.
 void leave_out_rest(std::vector<ChannelAccelerations>& channels) {
   std::map<std::string, std::pair<double, double>> speeds;  // squares, count
   for (const ChannelAccelerations& one : channels) {
@@ -103,7 +103,7 @@ void leave_out_rest(std::vector<ChannelAccelerations>& channels) {
 /// Makes the table for one length of stretch.
 class Maker {
  public:
-  /// `share`: of the commands that is simulated; their effect is scaled up again.
+  /// `share`: factor on the simulated commands; their effect is scaled up again.
   Maker(const DoubtTask& task, const std::vector<Trial>& trials, const std::vector<ChannelNoise>& noise, double share)
       : task_(task), noise_(noise), trials_(trials), share_(share) {
     predictors_.reserve(task.definition.structure.robot.actuators.size() + 1);
@@ -133,7 +133,7 @@ class Maker {
     std::vector<std::vector<Row>> rows(sources.size());
     for (Eigen::Index first = 0, last = 0; first < times.size(); first = last) {
       while (last < times.size() && times(last) - times(first) < length) ++last;
-      if (last == times.size()) break;  // the rest is shorter
+      if (last == times.size()) break;  // the remaining part is shorter
       if (last - first >= kFewestSamples) add_stretch({trial, first, last}, sources, rows);
     }
     for (std::size_t s = 0; s < sources.size(); ++s)
@@ -215,7 +215,7 @@ class Maker {
   const std::vector<ChannelNoise>& noise_;
   const std::vector<Trial>& trials_;
   const double share_;
-  std::vector<TrialPredictor> predictors_;  ///< without commands, then with one actuator's alone
+  std::vector<TrialPredictor> predictors_;  ///< without commands, then with the commands of one actuator alone
   std::optional<StartStates> states_;
   Prediction prediction_;
 };
@@ -254,7 +254,7 @@ AccelerationTable acceleration_table(const DoubtTask& task, const std::vector<Ch
     table = std::move(longer);
     if (clearness(table) >= kClear) break;
   }
-  // Commands that are far too large would throw the model about beyond what a parabola describes.
+  // Commands that are far too large would move the model beyond what a parabola describes.
   const double beyond = commanded_over_measured(table);
   return beyond > kTooLarge ? Maker(task, trials, noise, 1.0 / beyond).table(table.stretch) : table;
 }

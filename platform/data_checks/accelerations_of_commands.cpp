@@ -5,8 +5,8 @@
 namespace lacuna {
 namespace {
 
-/// The command integrated once and twice up to its own samples and evaluated between them; held before the first and
-/// after the last. What is held from sample to sample is a step.
+/// The command integrated once and twice to its own samples and evaluated between them; constant before the first and
+/// after the last. A command that is held between samples is a step function.
 class Integrals {
  public:
   Integrals(const Eigen::VectorXd& times, const Eigen::VectorXd& values, Hold hold) : times_(times), values_(values) {

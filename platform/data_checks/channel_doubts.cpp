@@ -14,10 +14,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kStretch = 0.5;  // s, of which a diagnosis takes the prediction error as one
-/// As many stretches that all favour a model by chance: once in 2⁷, less than one in a hundred.
+constexpr double kStretch = 0.5;  // s, length of the stretches of a diagnosis
+/// All of so many stretches favour a model by chance once in 2⁷ cases, below one in a hundred.
 constexpr double kFewestPerTrial = 7.0;
-constexpr double kSurelyMoves = 0.5;                             // of a range that moved the joint
+constexpr double kSurelyMoves = 0.5;                             // of the smallest command range that moved the joint
 constexpr double kLargeScatter = 1.0, kNoticeableScatter = 0.2;  // over the motion
 
 bool measures_a_joint(const RobotSpec& robot, const Channel& channel) {
@@ -41,7 +41,7 @@ double deviation_of(const TimeSeries& series, Eigen::Index channel) {
   return std::sqrt(std::max(squares / count - std::pow(sum / count, 2), 0.0));
 }
 
-/// The widest range of a command; 0: nothing is commanded.
+/// The widest range of a command; 0: there are no commands.
 double command_range(const Trial& trial) {
   const TimeSeries::Samples& samples = trial.commands.series.samples;
   if (samples.size() == 0) return 0.0;
@@ -53,12 +53,12 @@ struct Look {
   const Trial& trial;
   const Channel& channel;
   SignalShape shape;
-  double scatter = 0.0, motion = 0.0;  ///< RMS, the motion without the scatter
+  double scatter = 0.0, motion = 0.0;  ///< RMS of the motion, without the scatter
   bool moves() const { return shape.lowest < shape.highest && scatter <= kLargeScatter * motion; }
 };
 
-/// Whether the trial should have moved: half as much was commanded as where the same channel did, or it never did. A
-/// joint that stands still under less may be held by friction.
+/// Whether the trial should have moved: its commands reach half of the range that moved the same channel elsewhere, or
+/// the channel never moved. Friction may hold a joint under smaller commands.
 bool should_move(const Look& look, const std::vector<Look>& all) {
   const double range = command_range(look.trial);
   double least = std::numeric_limits<double>::infinity();
@@ -69,10 +69,10 @@ bool should_move(const Look& look, const std::vector<Look>& all) {
 
 Doubt constant_doubt(const Look& look, bool expected) {
   return {expected ? Severity::fault : Severity::note,
-          fmt::format("{}: {} is {} from the first sample to the last{}", look.trial.name, look.channel.name,
+          fmt::format("{}: {} stays at {} from the first sample to the last{}", look.trial.name, look.channel.name,
                       format_quantity(look.shape.lowest, look.channel.unit),
-                      expected ? ", though the commands change: if the sensor was not connected, the joint was "
-                                 "blocked or its friction is above all that was commanded, leave the file out"
+                      expected ? ", although the commands change; leave the file out if the sensor was not connected, "
+                                 "the joint was blocked, or the commands were below its friction"
                                : "")};
 }
 
@@ -80,8 +80,8 @@ Doubt clipped_doubt(const Look& look, bool is_tried) {
   const SignalShape& shape = look.shape;
   const double limit = shape.clipped_high ? shape.highest : shape.lowest;
   return {is_tried ? Severity::note : Severity::fault,
-          fmt::format("{}: {} stays at {} for {:.2g} % of the samples, {} entered and left at full speed: its range "
-                      "ended there, and what it did not see looks like a force; mask these times",
+          fmt::format("{}: {} stays at {} for {:.2g} % of the samples, {} entered and left at full speed: the sensor "
+                      "reached the end of its range, and the missing motion looks like a force; mask these times",
                       look.trial.name, look.channel.name, format_quantity(limit, look.channel.unit),
                       100.0 * static_cast<double>(shape.clipped) / static_cast<double>(shape.count),
                       shape.clipped_runs == 1 ? "once," : fmt::format("{} times,", shape.clipped_runs))};
@@ -89,17 +89,16 @@ Doubt clipped_doubt(const Look& look, bool is_tried) {
 
 Doubt scatter_doubt(const Look& look, bool expected) {
   const bool is_seen = look.motion > 0.1 * look.scatter;
-  const std::string moved = is_seen ? "what moves is " + format_quantity(look.motion, look.channel.unit) + " (RMS)"
-                                    : "no motion is to be seen beside it";
-  const char* advice = "small effects drown in such noise";
+  const std::string moved = is_seen ? "the motion is " + format_quantity(look.motion, look.channel.unit) + " (RMS)"
+                                    : "no motion is visible in it";
+  const char* advice = "small effects cannot be seen in such noise";
   if (!look.moves())
-    advice = !expected ? "it tells little but that the joint hardly moved"
-             : is_seen
-                 ? "the noise is larger than the signal; move further, or measure better"
-                 : "the joint is blocked, or its friction is above all that was commanded, or the noise hides how "
-                   "it moves; free it, command more, or measure better";
+    advice = !expected ? "it shows only that the joint hardly moved"
+             : is_seen ? "the noise is larger than the signal; use larger motions or a better sensor"
+                       : "the joint is blocked, its friction exceeds the commands, or the noise hides its motion; free "
+                         "the joint, use larger commands or a better sensor";
   return {!look.moves() && expected ? Severity::fault : Severity::note,
-          fmt::format("{}: {} scatters by {} from sample to sample, and {}: {}", look.trial.name, look.channel.name,
+          fmt::format("{}: the noise of {} from sample to sample is {}, and {}: {}", look.trial.name, look.channel.name,
                       format_quantity(look.scatter, look.channel.unit), moved, advice)};
 }
 
@@ -120,21 +119,21 @@ std::vector<Look> look_at_all(const DoubtTask& task) {
   return looks;
 }
 
-/// What ends by itself, as a fall or a swing that is let go does, cannot be recorded longer, but again.
+/// A motion that ends by itself, such as a fall or a free swing, can be recorded again but not for longer.
 Doubt too_little_doubt(double seconds, std::size_t trials, bool driven) {
   const double least = kStretch * kFewestPerTrial;
   const auto stretches = static_cast<std::size_t>(seconds / kStretch);
   const double times = std::ceil(least / seconds * static_cast<double>(trials));
   const std::string advice =
-      driven ? fmt::format("Record {} s at least, in one file or several; better ten times as much", least)
+      driven ? fmt::format("Record {} s or more, in one file or several; ten times as much is better", least)
              : fmt::format(
-                   "Nothing drives this motion: if it ends by itself, record it {:.0f} times or more, from other "
-                   "starts and at a higher rate; else record {} s at least",
+                   "These recordings have no commands: if the motion ends by itself, record it {:.0f} times or more, "
+                   "from other initial states and at a higher rate; else record {} s or more",
                    times, least);
   return {
       Severity::too_little,
-      fmt::format("the fit files hold {:.3g} s, {} of {} s, which limits what they can tell: so few agree by chance "
-                  "too often. {}",
+      fmt::format("the fit files hold {:.3g} s, {} of {} s: too little data, because chance alone often makes so few "
+                  "stretches agree. {}",
                   seconds, stretches == 1 ? "1 stretch" : fmt::format("{} stretches", stretches), kStretch, advice)};
 }
 
@@ -156,15 +155,14 @@ std::vector<Doubt> amount_doubts(const DoubtTask& task) {
   if (fitted == 0) return doubts;
   if (seconds < kStretch * kFewestPerTrial - 1e-9) doubts.push_back(too_little_doubt(seconds, fitted, driven));
   if (fitted == 1)
-    doubts.push_back({Severity::note,
-                      fmt::format("{} is the only file to fit to: models are judged on parts of it that they were not "
-                                  "fitted to, which is weaker than on another file",
-                                  only->name)});
+    doubts.push_back({Severity::note, fmt::format("{} is the only fit file: models are evaluated on parts of it that "
+                                                  "they were not fitted to, which is weaker evidence than another file",
+                                                  only->name)});
   if (fitted == task.trials.size())
     doubts.push_back(
         {Severity::note,
-         "nothing is held out: the evidence is cross-validation inside the fit files, which the search has "
-         "seen and which is weaker; name a file under holdout, and compare and history check the answer on it"});
+         "no file is held out: the evidence is cross-validation within the fit files, which the search has used, and "
+         "is weaker; name a file under holdout, and check the answer on it with compare and history check"});
   return doubts;
 }
 
@@ -173,7 +171,7 @@ std::vector<Doubt> channel_doubts(const DoubtTask& task) {
   const std::vector<Look> looks = look_at_all(task);
   for (const Look& look : looks) {
     if (look.shape.count == 0) {
-      doubts.push_back({Severity::note, fmt::format("{}: {} has no value", look.trial.name, look.channel.name)});
+      doubts.push_back({Severity::note, fmt::format("{}: {} has no values", look.trial.name, look.channel.name)});
     } else if (look.shape.lowest == look.shape.highest) {
       doubts.push_back(constant_doubt(look, should_move(look, looks)));
     } else {

@@ -6,13 +6,15 @@
 
 namespace lacuna {
 
-/// Of the amount of data: too few stretches for a chance below one in a hundred, a single trial, nothing held out.
+/// Checks the amount of data: too few stretches for a chance below one in a hundred, a single fit trial, no held-out
+/// trial.
 std::vector<Doubt> amount_doubts(const DoubtTask& task);
 
-/// Of single channels that measure a joint's position or velocity: constant, saturated, or more scatter than motion.
+/// Checks single channels that measure a joint's position or velocity: constant, saturated, or more scatter than
+/// motion.
 std::vector<Doubt> channel_doubts(const DoubtTask& task);
 
-/// Whether a joint's reading ends at the limit of its range in this trial.
+/// Whether a sensor of the joint reaches the end of its range in this trial.
 bool is_saturated(const RobotSpec& robot, const Trial& trial);
 
 }  // namespace lacuna

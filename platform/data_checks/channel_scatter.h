@@ -6,9 +6,8 @@
 
 namespace lacuna {
 
-/// Standard deviation of the white noise that the second differences of a channel would be; includes what really moves
-/// within three samples. 0 with fewer than three readings without a
-/// pause.
+/// Standard deviation of white noise that would give the second differences of a channel; includes real motion within
+/// three samples. 0 with fewer than three readings without a gap.
 double scatter_of(const TimeSeries& series, Eigen::Index channel);
 
 }  // namespace lacuna

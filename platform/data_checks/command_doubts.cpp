@@ -17,41 +17,41 @@
 namespace lacuna {
 namespace {
 
-constexpr double kBeyondEffects = 20.0;    // no gain that a rig may have and a model may lack
-constexpr double kNamed = 2.5;             // within which a factor is taken for that of units: masses may be that wrong
-constexpr double kExplained = 0.5;         // of the squares: what a response to a command must explain to be one
-constexpr double kExplainedAgainst = 0.2;  // the same against it, which no effect does
+constexpr double kBeyondEffects = 20.0;    // larger than any gain that a rig may have beyond its model
+constexpr double kNamed = 2.5;             // range around a factor of units; masses may be wrong by as much
+constexpr double kExplained = 0.5;         // of the squares: the least that a response to a command explains
+constexpr double kExplainedAgainst = 0.2;  // of the squares, for a response against the command, which no effect causes
 constexpr double kSure = 5.0;              // deviations
-constexpr double kLively = 10.0;           // noises, of an acceleration that a command should make
-constexpr double kNothing = 0.05;          // of what a command should do
+constexpr double kLively = 10.0;           // times the noise: acceleration expected from a command
+constexpr double kNothing = 0.05;          // of the expected response
 constexpr double kWorseNow = 2.0;          // squares left at one lag over those at another
 constexpr Eigen::Index kWithoutFriction = 3;  // columns of the surroundings before those of velocity (command_lags.h)
 
-/// What may have made a motion `times` too large for its commands.
+/// Possible causes of a motion that is `times` too large for its commands.
 std::string unit_guess(double times, const std::string& unit) {
   const bool angle = unit.starts_with("rad");
   const double size = std::max(times, 1.0 / times);
   const auto near = [&](double factor) { return size < kNamed * factor && size > factor / kNamed; };
   constexpr double kDegree = 180.0 / std::numbers::pi;
   if (angle && near(kDegree))
-    return times > 1.0 ? ", as where degrees are read as radians (57.3)"
-                       : ", as where an angle in radians is read as degrees (1/57.3)";
+    return times > 1.0 ? ", as if degrees were read as radians (57.3)"
+                       : ", as if an angle in radians were read as degrees (1/57.3)";
   if (near(1000.0))
-    return times > 1.0 ? ", as where a reading in thousandths, or a command in thousands, is read without its prefix"
-                       : ", as where a command in thousandths (mN*m) is read without its prefix, or a reading in "
-                         "whole units as thousandths";
-  return ", as where a unit or a gear ratio is missing";
+    return times > 1.0 ? ", as if a reading in thousandths, or a command in thousands, were read without its prefix"
+                       : ", as if a command in thousandths (mN*m) were read without its prefix, or a reading in whole "
+                         "units as thousandths";
+  return ", as if a unit or a gear ratio were missing";
 }
 
-/// A command that moves its joint less than the model says.
+/// A command that moves its joint less than the model predicts.
 struct Unfollowed {
   std::string channel, actuator, should;
   double percent = 0.0;
 };
 
-/// Whether the command is made of the motion: of the acceleration, of what the model does without commands, and, with
-/// all surroundings, of friction. Then it is this joint's, and what it does not accelerate is lost in friction, or in a
-/// rotor, that the model has not yet.
+/// Whether the command follows from the motion of this joint: from its acceleration, the model's motion without
+/// commands and, with all surroundings, friction. Then it is this joint's command, and the part that accelerates
+/// nothing is lost in friction, or in a rotor that the model lacks.
 bool is_explained_by_motion(const StackedAccelerations& data, const Eigen::VectorXd& command,
                             Eigen::Index surroundings) {
   Eigen::MatrixXd motion(data.beside.rows(), surroundings + 1);
@@ -61,7 +61,7 @@ bool is_explained_by_motion(const StackedAccelerations& data, const Eigen::Vecto
   return whole > 0.0 && straight_fit(motion, command).squares < (1.0 - kExplained) * whole;
 }
 
-/// Whether friction takes most of the command. A command in a wrong unit is made of the motion without friction.
+/// Whether friction takes most of the command. A command in a wrong unit follows from the motion without friction.
 bool is_lost_in_friction(const StackedAccelerations& data, const Eigen::VectorXd& command) {
   return is_explained_by_motion(data, command, data.beside.cols()) &&
          !is_explained_by_motion(data, command, kWithoutFriction);
@@ -82,17 +82,17 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
   if (sure && times < 0.0 && explained >= kExplainedAgainst) {
     doubts.push_back(
         {Severity::fault,
-         fmt::format("{} accelerates against the command {} ({:.3g} times what the model says): the sign of a column "
-                     "or the joint's axis is wrong, or the column is a measurement, which lags the motion",
-                     data.channel, actuator, times),
+         fmt::format(
+             "{} accelerates against the command {} ({:.3g} times what the model predicts): the sign of a column or of "
+             "the joint's axis is wrong, or the command column is a measurement, which lags the motion",
+             data.channel, actuator, times),
          true});
   } else if (responds &&
              (times > kBeyondEffects || (times < 1.0 / kBeyondEffects && !is_lost_in_friction(data, own)))) {
     doubts.push_back(
-        {Severity::fault,
-         fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
-                     "units of both columns and the model's inertia",
-                     data.channel, times, actuator, unit_guess(times, data.unit))});
+        {Severity::fault, fmt::format("{} accelerates {:.3g} times as much by the command {} as the model predicts{}; "
+                                      "check the units of both columns and the model's inertia",
+                                      data.channel, times, actuator, unit_guess(times, data.unit))});
   } else if (root_mean_square(own) > kLively && std::abs(times) + kSure * deviation < kNothing &&
              !is_explained_by_motion(data, own, data.beside.cols())) {
     unfollowed.push_back({data.channel, actuator, format_quantity(root_mean_square(own) * data.deviation, data.unit),
@@ -100,23 +100,23 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
   }
 }
 
-/// What does not follow commands, in one sentence.
+/// One sentence about all channels that do not follow their commands.
 void doubt_unfollowed(const std::vector<Unfollowed>& unfollowed, std::vector<Doubt>& doubts) {
   if (unfollowed.empty()) return;
   const Unfollowed& first = unfollowed.front();
   std::string text = fmt::format(
-      "{} does not follow the command {}: of {} (RMS) that it should make, the file shows {:.1f} %, and friction does "
-      "not account for the rest",
+      "{} does not follow the command {}: of the expected acceleration, {} (RMS), the file shows {:.1f} %, and "
+      "friction does not explain the difference",
       first.channel, first.actuator, first.should, first.percent);
   for (std::size_t i = 1; i < unfollowed.size(); ++i)
     text += fmt::format("{}{} by {} ({:.1f} %)", i == 1 ? "; nor does " : ", ", unfollowed[i].channel,
                         unfollowed[i].actuator, unfollowed[i].percent);
   doubts.push_back(
-      {Severity::fault, text + "; check that each column is the command of its joint, and its unit", true});
+      {Severity::fault, text + "; check that each column is the command of its joint and has the right unit", true});
 }
 
-/// Whether the command of an actuator should show in a channel by itself: of a joint that has actuators of its own,
-/// theirs alone. What others add through the links is small beside it and follows from the model's inertias.
+/// Whether the command of an actuator should show in a channel directly: in a joint with its own actuators only theirs
+/// do. The influence through the links is small beside it and follows from the model's inertias.
 bool drives(const RobotSpec& robot, const ActuatorSpec& actuator, const std::string& channel) {
   std::string joint;
   for (const SensorSpec& sensor : robot.sensors)
@@ -127,8 +127,8 @@ bool drives(const RobotSpec& robot, const ActuatorSpec& actuator, const std::str
   return !has_own || actuator.joint == joint;
 }
 
-/// In all trials together: a lag of one trial alone is another doubt. What the model leaves with the commands as they
-/// are stamped counts, too: it may have effects that lagged commands stand in for.
+/// Over all trials together; a lag of one trial alone is another check. The residual of the model with the stamped
+/// commands counts, too: the model may have effects for which a lag of the commands stands in.
 void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
   std::vector<const CommandLagProfile*> profiles;
   for (const CommandLagProfile& profile : lags.profiles) profiles.push_back(&profile);
@@ -145,9 +145,10 @@ void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
   at_now = std::min(at_now, of_model);
   if (at_now < kWorseNow * at_best) return;
   doubts.push_back(
-      {Severity::fault, fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "
-                                    "unexplained so; the command column is a measurement, or is stamped late",
-                                    -1e3 * lags.lags(best), at_now / at_best)});
+      {Severity::fault,
+       fmt::format("the motion comes {:.0f} ms before its commands ({:.2g} times less remains unexplained with the "
+                   "times corrected); the command column is a measurement, or its time stamps are late",
+                   -1e3 * lags.lags(best), at_now / at_best)});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFarthest = 0.3;    // s
 constexpr Eigen::Index kSteps = 60;  // to either side
 constexpr double kRowsPerColumn = 4.0;
-constexpr double kSlow = 0.05;  // of the RMS velocity, below which the direction of motion fades
+constexpr double kSlow = 0.05;  // of the RMS velocity, below which the direction of motion counts less
 
 bool all_forces(const RobotSpec& robot) {
   return std::all_of(robot.actuators.begin(), robot.actuators.end(),
@@ -49,7 +49,7 @@ CommandLagProfile profile_of(const AccelerationTable& table, std::size_t trial, 
   return profile;
 }
 
-/// Where the sum of one of the profiles' curves is least; the middle where it is so in several places.
+/// Where the sum of one of the profiles' curves is least; the middle of several such places.
 Eigen::Index least(const std::vector<const CommandLagProfile*>& profiles, Eigen::VectorXd CommandLagProfile::*curve) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero((profiles.front()->*curve).size());
   for (const CommandLagProfile* profile : profiles) all += profile->*curve;

@@ -12,8 +12,9 @@ namespace {
 Doubt copy_doubt(const Trial& copy, const Trial& of) {
   const std::string what = fmt::format("{} holds the same samples as {}", copy.name, of.name);
   if (copy.held_out != of.held_out)
-    return {Severity::note, what + ", and one of them is held out: it confirms nothing; hold another recording out"};
-  return {Severity::note, what + ": counted twice, they make every result look surer than it is; leave one out"};
+    return {Severity::note,
+            what + ", and one of them is held out: a copy confirms nothing; hold another recording out"};
+  return {Severity::note, what + ": data that count twice make every result look surer than it is; leave one out"};
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// Of files that hold the same readings under the same commands as one before: noise never does that twice. Held-out
-/// ones are compared, too, since a copy of a fit file confirms nothing.
+/// Checks for files with the same readings under the same commands as an earlier file: noise never repeats. Held-out
+/// files are compared, too, since a copy of a fit file confirms nothing.
 std::vector<Doubt> copy_doubts(const std::vector<Trial>& trials);
 
 }  // namespace lacuna

@@ -17,7 +17,7 @@ namespace lacuna {
 
 namespace {
 
-/// Of what the joints did under the commands, in trials that show all of it.
+/// Compares the joints' motion with the commands, in trials that measure all of it.
 std::vector<Doubt> motion_doubts(const DoubtTask& all) {
   std::vector<Trial> whole;
   std::copy_if(all.trials.begin(), all.trials.end(), std::back_inserter(whole), [&](const Trial& trial) {
@@ -27,7 +27,7 @@ std::vector<Doubt> motion_doubts(const DoubtTask& all) {
   const DoubtTask task{all.definition, all.model, whole, all.values};
   const std::vector<ChannelNoise> noise = sensor_noise(task.definition.structure.robot, task.trials);
   const AccelerationTable table = acceleration_table(task, noise);
-  // A wrong unit explains what else is to be seen.
+  // A wrong unit explains the other findings.
   if (const std::optional<Doubt> unit = unit_doubt(task, table, noise)) return {*unit};
   if (const std::optional<ReadingScale> scale = reading_scale(task))
     return {{Severity::fault, to_string(*scale) + "; check counts per turn, gears and unit of the column"}};
@@ -52,7 +52,7 @@ std::vector<Doubt> data_doubts(const DoubtTask& task) {
   add(channel_doubts(task));
   const std::vector<Doubt> feedback = feedback_doubts(task);
   add(feedback);
-  if (faults_among(feedback).empty()) add(motion_doubts(task));  // else the commands are none
+  if (faults_among(feedback).empty()) add(motion_doubts(task));  // else the command columns themselves are wrong
   add(copy_doubts(task.trials));
   add(amount_doubts(task));
   std::stable_partition(doubts.begin(), doubts.end(),

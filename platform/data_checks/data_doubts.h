@@ -7,16 +7,15 @@
 
 namespace lacuna {
 
-/// What speaks against these data, the faults first. A few simulations of the fit trials,
-/// none of them fitted; nothing is random. Recordings of a rig that lacks an effect are no reason for doubt: each test
-/// allows for an inertia, stiffness, damping, dry friction and offset that differ from the model's. Throws `Error`
-/// where the trials do not fit the model.
+/// The findings of the data checks, faults first. Makes a few simulations of the fit trials, no fits and no random
+/// draws. An effect that the model lacks is not a fault of the data: each check allows for an inertia, stiffness,
+/// damping, dry friction and offset that differ from the model's. Throws `Error` where the trials do not fit the model.
 std::vector<Doubt> data_doubts(const DoubtTask& task);
 
-/// The sentences of those that make figures wrong.
+/// The sentences of the faults, which make results wrong.
 std::vector<std::string> faults_among(const std::vector<Doubt>& doubts);
 
-/// The sentences of those that limit what the recordings can tell, and make no figure wrong.
+/// The sentences of the notes, which limit what the recordings can show but make no result wrong.
 std::vector<std::string> limits_among(const std::vector<Doubt>& doubts);
 
 }  // namespace lacuna

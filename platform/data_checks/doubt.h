@@ -9,28 +9,27 @@
 
 namespace lacuna {
 
-/// How much a doubt takes from a verdict.
+/// How much a finding weakens a verdict.
 enum class Severity {
-  note,        ///< to be said beside the verdict
-  too_little,  ///< the data are short: a limit to be said
-  fault        ///< what looks like an effect may be this
+  note,        ///< printed beside the verdict
+  too_little,  ///< the data are short: a limit, printed
+  fault        ///< what looks like an effect may be this fault
 };
 
-/// A reason to trust the data less: a sentence that names the file and the channel, what was seen in numbers, and what
-/// to do.
+/// A finding of the data checks: a sentence with the file, the channel, the observation in numbers, and what to do.
 struct Doubt {
   Severity severity = Severity::note;
   std::string sentence;
-  bool voids = false;  ///< no model is right of such data: what is found is no answer
+  bool voids = false;  ///< no model can be right with such data: a found effect is not an answer
 };
 
-/// What is looked at. Everything referred to must live until the doubts are told.
+/// What is checked. Everything that it refers to must live until the findings are returned.
 struct DoubtTask {
   const ModelDefinition& definition;
   const CompiledModel& model;
-  const std::vector<Trial>& trials;   ///< held-out ones are counted, not looked at
-  const std::vector<double>& values;  ///< of the model, fitted or a guess
-  bool saturation_is_tried = false;   ///< an effect that ends a sensor's range is among those searched
+  const std::vector<Trial>& trials;   ///< held-out ones are counted, not read
+  const std::vector<double>& values;  ///< of the model, fitted or initial guesses
+  bool saturation_is_tried = false;   ///< an effect that limits a sensor's range is among the candidates
 };
 
 }  // namespace lacuna

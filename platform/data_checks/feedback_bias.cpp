@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBiased = 3.0;  // standard errors
 
-/// The controller of a trial that is fitted to; null: none.
+/// The controller of a fit trial; null: none.
 const RecordedController* controller_of(const Trial& trial) {
   return trial.held_out ? nullptr : dynamic_cast<const RecordedController*>(trial.controller.get());
 }
@@ -26,9 +26,9 @@ std::vector<std::string> sentences_on(const std::vector<WrongController>& wrong)
   std::vector<std::string> sentences;
   for (const WrongController& one : wrong)
     sentences.push_back(fmt::format(
-        "{}: the controller that target.controllers declares for {} does not make the recorded commands of the "
-        "recorded readings (it is off by {:.0f} % of their deviation): whether feedback biases the values was not "
-        "tested; check its gains, their signs and the reference",
+        "{}: the controller that target.controllers declares for {} does not reproduce the recorded commands from the "
+        "recorded readings (error {:.0f} % of their deviation), so feedback bias was not tested; check its gains, their "
+        "signs and the reference",
         one.trial, one.actuator, 100.0 * one.off));
   return sentences;
 }
@@ -38,8 +38,8 @@ std::vector<Trial> in_the_loop(std::vector<Trial> trials) {
   return trials;
 }
 
-/// Of the interval, which reaches as far as the integration step has moved the value. None at a bound: the other one
-/// says how far away from it is far.
+/// Of the interval, which reaches at least as far as the integration step changed the value. None at a bound: the other
+/// estimate has an interval.
 double error_of(const FittedValue& value) {
   constexpr double kWithin = 2.0 * kWithin95;  // standard errors, 95 %
   if (value.at_lower_bound || value.at_upper_bound) return 0.0;
@@ -50,7 +50,7 @@ std::string difference(const FittedValue& replayed, const FittedValue& looped) {
   const double error = std::hypot(error_of(replayed), error_of(looped));
   const double times = error > 0.0 ? std::abs(replayed.value - looped.value) / error : 0.0;
   if (times <= kBiased) return "";
-  return fmt::format("{} ({} by the recorded commands, {} with the controller in the loop: {:.1f} standard errors)",
+  return fmt::format("{} ({} with the recorded commands, {} with the controller in the loop: {:.1f} standard errors)",
                      replayed.address, format_quantity(replayed.value, replayed.unit),
                      format_quantity(looped.value, looped.unit), times);
 }
@@ -74,10 +74,8 @@ std::vector<std::string> feedback_bias(const FitTask& task) {
     if (std::string text = difference(replayed.values[i], looped.values[i]); !text.empty())
       biased.push_back(std::move(text));
   if (biased.empty())
-    return {
-        "with the controller in the loop no value differs by three standard errors: no feedback bias is to be seen"};
-  return {fmt::format("feedback bias: {}; values with the controller in the loop are the ones to trust",
-                      fmt::join(biased, ", "))};
+    return {"no feedback bias: with the controller in the loop no value differs by three standard errors"};
+  return {fmt::format("feedback bias: {}; use the values with the controller in the loop", fmt::join(biased, ", "))};
 }
 
 }  // namespace lacuna

@@ -9,11 +9,12 @@ namespace lacuna {
 
 bool has_controller(const std::vector<Trial>& trials);
 
-/// What feedback does to the values of a model. Where the commands of the fit trials were made by a declared
-/// controller, they hold what it answered to disturbances and noise, and values fitted under these commands are biased
-/// by it; with the controller in the loop of the simulation they are not. Fits both ways and gives a sentence a value
-/// that differs by more than three standard errors, or one that none does. A controller that does not make the recorded
-/// commands of the recorded readings gives a sentence that says so, and nothing is fitted. Throws what `fit` throws.
+/// Bias of the model's values due to feedback. Commands of a controller contain its response to disturbances and noise,
+/// so values fitted under the recorded commands are biased; values fitted with the controller in the loop of the
+/// simulation are not. Fits both ways, where a controller is declared, and returns a sentence per value that differs by
+/// more than three standard errors, or one sentence that none does. For a controller that does not reproduce the
+/// recorded commands from the recorded readings it returns a sentence that says so, and fits nothing. Throws what `fit`
+/// throws.
 ///
 /// Literature: U. Forssell and L. Ljung, "Closed-loop identification revisited", Automatica 35 (1999), 1215-1241.
 std::vector<std::string> feedback_bias(const FitTask& task);

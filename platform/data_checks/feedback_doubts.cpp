@@ -17,12 +17,12 @@ namespace {
 constexpr double kPartOfNoise = 0.5;  // of the noise that the readings hold
 constexpr double kExact = 1e-5;       // of the command's own deviation
 constexpr double kNearly = 0.02;      // of the same
-constexpr double kFeedback = 0.2;     // of the scatter of a command, that is the readings'
-constexpr double kWhite = -0.7;       // white noise has −4/5, between neighbouring fourth differences
-constexpr Eigen::Index kLate = 3;     // samples that a controller takes
-constexpr Eigen::Index kApart = 5;    // samples, beyond which fourth differences share none
+constexpr double kFeedback = 0.2;     // of the scatter of a command: share that comes from the readings' noise
+constexpr double kWhite = -0.7;       // correlation of neighbouring fourth differences; white noise has −4/5
+constexpr Eigen::Index kLate = 3;     // samples of delay in a controller
+constexpr Eigen::Index kApart = 5;    // samples apart: such fourth differences have no sample in common
 constexpr Eigen::Index kFewest = 50;
-constexpr Eigen::Index kFewestToShare = 200;  // of fewer, chance makes a share that large
+constexpr Eigen::Index kFewestToShare = 200;  // with fewer, chance alone makes such a share
 
 /// Samples of the trial at which everything was measured, and the commands of the same times.
 struct Together {
@@ -43,16 +43,16 @@ Eigen::VectorXd second_differences(const Eigen::VectorXd& values) {
   return values.tail(n) - 2.0 * values.segment(1, n) + values.head(n);
 }
 
-/// What is smooth is gone from fourth differences, be it a command or the motion that follows it; noise is not.
+/// Fourth differences remove smooth parts, of the command and of the motion that follows it, but keep noise.
 Eigen::VectorXd roughness(const Eigen::VectorXd& values) {
   return second_differences(second_differences(second_differences(values)));
 }
 
 double spread(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
-/// Whether the command is what the readings say at the same moment: what it differs by is less than their noise, which
-/// it would not know of if it were sent to the motor; or nearly so with the sign of one reading, where a controller
-/// would have the other.
+/// Whether the command is a reading of the same moment: they differ by less than the reading's noise, which a command
+/// sent to the motor could not contain; or by little with the sign of one reading, where a controller would have the
+/// opposite sign.
 bool is_reading(const Trial& trial, const Together& data, Eigen::Index u, double& left) {
   const Eigen::VectorXd command = data.commands.col(u);
   Eigen::MatrixXd columns(data.readings.rows(), data.readings.cols() + 1);
@@ -67,8 +67,7 @@ bool is_reading(const Trial& trial, const Together& data, Eigen::Index u, double
          (left < kNearly && data.readings.cols() == 1 && fit.coefficients(0) > 0.0);
 }
 
-/// The share of `wanted` that a few neighbouring samples of a reading tell, for the first of `wanted` those from
-/// `first` on.
+/// The share of `wanted`, from its row `first` on, that a few neighbouring samples of a reading explain.
 double share_of(const Eigen::VectorXd& wanted, const Eigen::VectorXd& reading, Eigen::Index first) {
   Eigen::MatrixXd columns(wanted.size(), kLate + 1);
   for (Eigen::Index late = 0; late <= kLate; ++late) columns.col(late) = reading.segment(first + late, wanted.size());
@@ -76,9 +75,9 @@ double share_of(const Eigen::VectorXd& wanted, const Eigen::VectorXd& reading, E
   return size > 0.0 ? 1.0 - straight_fit(columns / size, wanted / size).squares : 0.0;
 }
 
-/// The share of a command's scatter that is the noise of a reading's same or last few samples: what these tell of it
-/// beyond what older and later ones do, whose noise is another, but which know as much of motion that follows a
-/// command. 0 where the reading is so smooth that its scatter is motion.
+/// The share of a command's scatter that the noise in the same or the last few samples of a reading explains: beyond
+/// the share that older and later samples explain, which have other noise but contain the same motion. 0 where the
+/// reading is so smooth that its scatter is motion.
 double shared_scatter(const Together& data, Eigen::Index u, Eigen::Index c) {
   if (data.readings.rows() < kFewestToShare) return 0.0;
   const Eigen::VectorXd reading = roughness(data.readings.col(c)), command = roughness(data.commands.col(u));
@@ -91,7 +90,7 @@ double shared_scatter(const Together& data, Eigen::Index u, Eigen::Index c) {
   return share_of(wanted, reading, kSame) - by_motion;
 }
 
-/// What is alike in several files, so that it is said once.
+/// Joins equal findings of several files into one sentence.
 struct Alike {
   std::vector<std::string> files;
   double most = 0.0;
@@ -129,16 +128,15 @@ std::vector<Doubt> feedback_doubts(const DoubtTask& task) {
   std::vector<Doubt> doubts;
   for (const auto& [names, one] : readings)
     doubts.push_back(
-        {Severity::fault,
-         fmt::format("{}: the command {} is what the sensors read at the same moment, their noise included "
-                     "(all but {:.1g} % of it): it is a measurement or computed from one; name the column "
-                     "that was sent to the actuator",
-                     fmt::join(one.files, ", "), names.first, 100.0 * one.most)});
+        {Severity::fault, fmt::format("{}: the command {} equals the sensor readings of the same moment, including "
+                                      "their noise (all but {:.1g} % of it), so it is a measurement or computed from "
+                                      "one; name the column of the commands sent to the actuator",
+                                      fmt::join(one.files, ", "), names.first, 100.0 * one.most)});
   for (const auto& [names, one] : feedback)
     doubts.push_back(
         {Severity::note,
-         fmt::format("{}: up to {:.0f} % of the scatter of the command {} is the noise of {}, as where a controller "
-                     "with feedback made it: what is identified from such a recording is biased by that noise",
+         fmt::format("{}: up to {:.0f} % of the scatter of the command {} is the noise of {}, as if a controller with "
+                     "feedback made the command; parameters identified from such a recording are biased by that noise",
                      fmt::join(one.files, ", "), 100.0 * one.most, names.first, names.second)});
   return doubts;
 }

@@ -16,19 +16,21 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLawFails = 3.0;  ///< squares that a straight law leaves, over noise and over what the factor leaves
-constexpr double kByTheModel = 0.05;   ///< of all squares: what the model as written may leave with the factor
-constexpr double kUnlikeOthers = 3.0;  ///< squares that it leaves with any other, over those
-constexpr double kNeighbour = 1.1;     ///< a factor so much larger or smaller is worse, or no factor is meant
-constexpr double kSameFactor = 0.2;    ///< logarithm of a factor over another
+constexpr double kLawFails =
+    3.0;  ///< squares that a linear law leaves, over those of noise and over those that the factor leaves
+constexpr double kByTheModel = 0.05;   ///< of all squares: the most that the model as written may leave with the factor
+constexpr double kUnlikeOthers = 3.0;  ///< squares left with any other factor, over those left with this one
+constexpr double kNeighbour = 1.1;     ///< factors this much larger and smaller must be worse
+constexpr double kSameFactor = 0.2;    ///< distance of two factors in logarithm
 constexpr double kFewestScaledRows = 20.0;
-constexpr double kMostOfTheRows = 0.5;  ///< of those as they are; with fewer, predictions failed
+constexpr double kMostOfTheRows = 0.5;  ///< of the rows without a factor; with fewer, predictions failed
 constexpr Eigen::Index kFewestOfAFall = 5;
-constexpr std::size_t kMostScaled = 5000;  ///< of all trials, actuators and searches: a check is to take a second
-constexpr std::size_t kMostJoints = 3;     ///< more take longer
-constexpr double kSteadyFall = 0.1;        ///< deviation of a fall's own acceleration over its mean
-constexpr double kNamedFall = 0.1;         ///< of a factor of lengths, which are far from each other
-constexpr double kExplainedFall = 0.05;    ///< of the squares, that a fall may leave
+constexpr std::size_t kMostScaled =
+    5000;                               ///< over all trials, actuators and searches: a check should take about a second
+constexpr std::size_t kMostJoints = 3;  ///< more take longer
+constexpr double kSteadyFall = 0.1;     ///< standard deviation of a fall's acceleration over its mean
+constexpr double kNamedFall = 0.1;      ///< tolerance of a factor of length units, which are far apart
+constexpr double kExplainedFall = 0.05;  ///< of the squares, which a fall may leave
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
@@ -39,20 +41,21 @@ struct NamedFactor {
 
 const std::vector<NamedFactor>& angle_factors() {
   static const std::vector<NamedFactor> kFactors = [] {
-    std::vector<NamedFactor> factors = {{180.0 / std::numbers::pi, "as where degrees are read as radians"},
-                                        {std::numbers::pi / 180.0, "as where radians are read as degrees"},
-                                        {1.0 / kTurn, "as where turns are read as radians"},
-                                        {kTurn, "as where radians are read as turns"},
-                                        {360.0, "as where degrees are read as turns"},
-                                        {1.0 / 360.0, "as where turns are read as degrees"}};
+    std::vector<NamedFactor> factors = {{180.0 / std::numbers::pi, "as if degrees were read as radians"},
+                                        {std::numbers::pi / 180.0, "as if radians were read as degrees"},
+                                        {1.0 / kTurn, "as if turns were read as radians"},
+                                        {kTurn, "as if radians were read as turns"},
+                                        {360.0, "as if degrees were read as turns"},
+                                        {1.0 / 360.0, "as if turns were read as degrees"}};
     for (const int count : {2, 3, 4, 5, 6, 8, 10, 20, 50, 100}) {
-      factors.push_back({1.0 / count, fmt::format("as where counts per turn are {0} times too many, or a gear of 1:{0} "
-                                                  "is not counted",
-                                                  count)});
       factors.push_back(
-          {1.0 * count, fmt::format("as where counts per turn are {0} times too few, or a gear of {0}:1 is "
-                                    "not counted",
-                                    count)});
+          {1.0 / count,
+           fmt::format("as if the counts per turn were {0} times too large, or a gear of 1:{0} were not included",
+                       count)});
+      factors.push_back(
+          {1.0 * count,
+           fmt::format("as if the counts per turn were {0} times too small, or a gear of {0}:1 were not included",
+                       count)});
     }
     return factors;
   }();
@@ -60,21 +63,21 @@ const std::vector<NamedFactor>& angle_factors() {
 }
 
 const std::vector<NamedFactor>& fall_factors() {
-  static const std::vector<NamedFactor> kFactors = {{1.0 / 0.3048, "as where feet are read as metres"},
-                                                    {1.0 / 0.0254, "as where inches are read as metres"},
-                                                    {100.0, "as where centimetres are read as metres"},
-                                                    {1000.0, "as where millimetres are read as metres"}};
+  static const std::vector<NamedFactor> kFactors = {{1.0 / 0.3048, "as if feet were read as metres"},
+                                                    {1.0 / 0.0254, "as if inches were read as metres"},
+                                                    {100.0, "as if centimetres were read as metres"},
+                                                    {1000.0, "as if millimetres were read as metres"}};
   return kFactors;
 }
 
-/// Squares left of the measured accelerations, rows over their noise.
+/// Unexplained squares of the measured accelerations, rows over their noise.
 struct Squares {
   double all = 0.0, rows = 0.0;
-  double straight = 0.0;  ///< beside any inertia, stiffness, damping, friction, offset and gain
-  double written = 0.0;   ///< beside the model as written, any damping, friction and offset
+  double straight = 0.0;  ///< with any inertia, stiffness, damping, friction, offset and gain
+  double written = 0.0;   ///< with the model as written and any damping, friction and offset
 };
 
-/// Model as written plus what it may lack of losses.
+/// Model as written plus losses that it may lack.
 double written_squares(const ChannelAccelerations& one) {
   const Eigen::MatrixXd beside = surroundings(one);
   Eigen::MatrixXd losses(beside.rows(), 3);
@@ -111,7 +114,8 @@ class ScaleSearch {
     return sum;
   }
 
-  /// The factor of these channels with which the model as written explains what no straight law does without.
+  /// The factor of these channels with which the model as written explains what no linear law explains without a
+  /// factor.
   std::optional<ReadingScale> of_angles(const std::vector<std::string>& channels) const {
     const Squares now = squares(channels, 1.0);
     if (now.rows < kFewestScaledRows || now.straight < kLawFails * now.rows) return std::nullopt;
@@ -157,7 +161,7 @@ class ScaleSearch {
     Squares squares;
   };
 
-  /// Whether all other factors explain far less; those next to it are the same one.
+  /// Whether all other factors explain far less; neighbouring ones count as the same.
   static bool stands_alone(const std::vector<Tried>& tried, double factor, double least) {
     return std::none_of(tried.begin(), tried.end(), [&](const Tried& other) {
       const bool is_same = std::abs(std::log(other.factor / factor)) < kSameFactor;
@@ -210,10 +214,9 @@ std::optional<ReadingScale> reading_scale(const DoubtTask& task) {
 std::string to_string(const ReadingScale& scale) {
   const bool small = scale.factor < 1.0;
   return fmt::format(
-      "{}: the readings fit the known forces once they are {} by {:.4g}, {}: the model as written then leaves {:.2g} % "
-      "of "
-      "the squared acceleration unexplained, and as they are {:.2g} % is left of it beside any inertia, stiffness, "
-      "friction and gain",
+      "{}: the readings agree with the known forces after they are {} by {:.4g}, {}: the model as written then leaves "
+      "{:.2g} % of the squared acceleration unexplained. Without the factor any inertia, stiffness, friction and gain "
+      "leave {:.2g} %",
       fmt::join(scale.channels, ", "), small ? "multiplied" : "divided", small ? 1.0 / scale.factor : scale.factor,
       scale.cause, 100.0 * scale.after, 100.0 * scale.before);
 }

@@ -16,13 +16,13 @@ struct JointReadings {
   bool turns = false;  ///< a hinge, else a slider
 };
 
-/// Of the hinges and sliders that are read, in the robot's order.
+/// Of the measured hinges and sliders, in the robot's order.
 std::vector<JointReadings> joint_readings(const RobotSpec& robot);
 
-/// The trials that are fitted to, cut so that all together have at most `most` samples.
+/// The fit trials, cut so that all together have at most `most` samples.
 std::vector<Trial> beginnings(const std::vector<Trial>& trials, Eigen::Index most);
 
-/// The trials with the readings of some channels, and what is declared of their noise, divided by `factor`.
+/// The trials with the readings of some channels, and their declared noise, divided by `factor`.
 std::vector<Trial> divided(std::vector<Trial> trials, const std::vector<std::string>& channels, double factor);
 
 }  // namespace lacuna

@@ -7,20 +7,20 @@
 
 namespace lacuna {
 
-/// The accelerations of one channel, trials below each other; rows over their noise.
+/// The accelerations of one channel, all trials below each other; rows over their noise.
 struct StackedAccelerations {
   std::string channel, unit;
   Eigen::VectorXd measured;
   Eigen::MatrixXd beside;     ///< surroundings (command_lags.h)
   Eigen::MatrixXd commanded;  ///< by actuator
-  double deviation = 0.0;     ///< noise of the first trial, what a row was divided by, more or less
+  double deviation = 0.0;     ///< noise of the first trial, by about which each row was divided
 };
 
 /// In the order of the table's channels.
 std::vector<StackedAccelerations> stacked(const AccelerationTable& table);
 
-/// The share of the squared accelerations that neither surroundings nor commands, in any proportion, explain; 1 for an
-/// empty table.
+/// The share of the squared accelerations that surroundings and commands, in any proportion, leave unexplained; 1 for
+/// an empty table.
 double unexplained_share(const AccelerationTable& table);
 
 }  // namespace lacuna

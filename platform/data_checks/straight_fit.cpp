@@ -9,7 +9,7 @@
 namespace lacuna {
 
 StraightFit straight_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values) {
-  constexpr double kSpanned = 1e-10;  // eigenvalue of the correlation matrix over the largest
+  constexpr double kSpanned = 1e-10;  // smallest eigenvalue of the correlation matrix over the largest
   const Eigen::Index count = columns.cols();
   Eigen::VectorXd norms = columns.colwise().norm();
   for (double& norm : norms)

@@ -11,7 +11,7 @@ struct StraightFit {
   double squares = 0.0;        ///< of the residual
 };
 
-/// Columns that others span get a coefficient of zero and an infinite deviation.
+/// Columns that depend linearly on others get a coefficient of zero and an infinite deviation.
 StraightFit straight_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values);
 
 }  // namespace lacuna

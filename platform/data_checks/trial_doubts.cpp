@@ -13,21 +13,21 @@
 namespace lacuna {
 namespace {
 
-/// What one lag for all adds to the squares that a trial's own leaves: where accelerations are explained down to a few
-/// noises, and where something else is missing, which may pass for a lag.
+/// Squares that one lag for all trials adds to those of a trial's own lag: where the model explains accelerations down
+/// to a few times the noise, and where something else is missing, which may look like a lag.
 constexpr double kAddsToNoise = 1.0, kAddsToMore = 10.0;
 constexpr double kFewNoises = 4.0;     // squares a row
-constexpr double kUnexplained = 0.05;  // of the squared accelerations: more, and a lag means nothing
-constexpr double kContradicts = 1.5;   // what sharing coefficients adds, over what is left without
+constexpr double kUnexplained = 0.05;  // of the squared accelerations: with a larger residual a lag means nothing
+constexpr double kContradicts = 1.5;   // squares that shared coefficients add, over the residual without sharing
 constexpr double kNoticeable = 0.01;   // of the squared accelerations
 constexpr double kMoves = 0.1;         // of the RMS velocity
 
-/// A trial against all others: what its own lag explains better.
+/// A trial compared with all others: the improvement by its own lag.
 struct Shift {
   std::size_t place = 0;  ///< among the profiles
   double by = 0.0;        ///< s later than the others
-  double added = 0.0;     ///< squares, by one lag for all
-  double share = 0.0;     ///< of it, over what the trial's own lag leaves of the trial
+  double added = 0.0;     ///< squares that one lag for all adds
+  double share = 0.0;     ///< the same, over the residual of the trial at its own lag
 };
 
 double squares_at(const std::vector<const CommandLagProfile*>& profiles, Eigen::Index lag) {
@@ -45,10 +45,10 @@ Shift shift_of(const CommandLags& lags, const std::vector<const CommandLagProfil
   return {place, lags.lags(mine) - lags.lags(theirs), added, added / std::max(own.squares(mine), own.rows)};
 }
 
-/// Whether so large an addition can come from nothing but shifted time stamps.
+/// Whether only shifted time stamps can cause so large an addition.
 bool is_shift(const CommandLags& lags, const std::vector<const CommandLagProfile*>& profiles, const Shift& shift) {
   if (std::abs(shift.by) <= kHeldIntervals * lags.interval) return false;
-  // A clock that gains is an effect, and shifts longer trials by more.
+  // A clock that runs fast or slow is an effect; it shifts longer trials by more.
   if (std::abs(lag_drift(lags, {profiles[shift.place]})) > kSteadyLag * std::abs(shift.by)) return false;
   bool down_to_noise = true;
   for (const CommandLagProfile* profile : profiles) {
@@ -62,20 +62,19 @@ bool is_shift(const CommandLags& lags, const std::vector<const CommandLagProfile
 std::string shifted_sentence(const AccelerationTable& table, const std::vector<const CommandLagProfile*>& profiles,
                              const Shift& shift, bool named) {
   const auto name = [&](std::size_t place) { return table.trials[profiles[place]->trial].name; };
-  const std::string left = fmt::format("one timing for all leaves {:.2g} times as much unexplained", 1.0 + shift.share);
+  const std::string left = fmt::format("one lag for all leaves {:.2g} times as much unexplained", 1.0 + shift.share);
   if (!named)
     return fmt::format(
-        "the responses of {} and {} are {:.0f} ms apart against their commands ({}): the time stamps of "
-        "one are shifted; correct them or leave it out",
+        "the responses of {} and {} to their commands are {:.0f} ms apart ({}): the time stamps of one file are "
+        "shifted; correct them or leave that file out",
         name(0), name(1), 1e3 * std::abs(shift.by), left);
   return fmt::format(
-      "{}: the motion comes {:.0f} ms {} against its commands than in the other files ({}): its time "
-      "stamps are shifted; correct them or leave the file out",
+      "{}: relative to its commands the motion comes {:.0f} ms {} than in the other files ({}): its time stamps are "
+      "shifted; correct them or leave the file out",
       name(shift.place), 1e3 * std::abs(shift.by), shift.by > 0.0 ? "later" : "earlier", left);
 }
 
-/// The trials whose lag departs from that of all others, each found without those before it: first the one without
-/// which the rest agree best.
+/// The trials whose lag differs from that of all others, one by one: first the one without which the others agree best.
 std::set<std::size_t> doubt_lags(const AccelerationTable& table, const CommandLags& lags, std::vector<Doubt>& doubts) {
   std::set<std::size_t> shifted;
   std::vector<const CommandLagProfile*> left;
@@ -95,7 +94,8 @@ std::set<std::size_t> doubt_lags(const AccelerationTable& table, const CommandLa
   return shifted;
 }
 
-/// Surroundings, and what bends a spring or a damper: trials in other places are not to contradict each other by that.
+/// The surroundings plus terms for nonlinear springs and dampers, so that trials at different positions do not
+/// contradict each other for that reason.
 Eigen::MatrixXd wider_surroundings(const ChannelAccelerations& one) {
   const Eigen::MatrixXd straight = surroundings(one);
   const Eigen::ArrayXd q = one.position.array(), v = one.velocity.array();
@@ -105,7 +105,7 @@ Eigen::MatrixXd wider_surroundings(const ChannelAccelerations& one) {
   return columns;
 }
 
-/// Rows in which the joint moves: what dry friction holds at rest obeys no linear law.
+/// Rows in which the joint moves: dry friction at rest follows no linear law.
 std::vector<Eigen::Index> moving_rows(const ChannelAccelerations& one) {
   const Eigen::Index count = one.velocity.size();
   const double usual = std::sqrt(one.velocity.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(count, 1)));
@@ -140,7 +140,7 @@ struct Contradiction {
   std::vector<std::size_t> others;  ///< trials
 };
 
-/// What a trial adds by sharing coefficients with the others of `channels`, all of one channel.
+/// Squares added for a trial by sharing coefficients with the others of `channels`, all of one channel.
 Contradiction contradiction_of(const std::vector<const ChannelAccelerations*>& channels, std::size_t which) {
   StackedRows all, others, own;
   std::vector<std::size_t> trials;
@@ -165,18 +165,17 @@ std::string contradiction_sentence(const AccelerationTable& table, const Contrad
     return format_quantity(std::sqrt(squares / one.rows) * one.channel->deviation, one.channel->unit);
   };
   const std::string what = fmt::format(
-      "no one inertia, stiffness, damping, friction and offset fit {} in both, {} (RMS) is left of its acceleration "
-      "with "
-      "shared ones and {} with its own",
+      "no common inertia, stiffness, damping, friction and offset explain {} in both; the unexplained acceleration is "
+      "{} (RMS) with common values and {} with separate ones",
       one.channel->channel, left(one.together), left(one.apart));
   if (!named)
-    return fmt::format("{} and {} contradict each other: {}; leave out the one that is of another rig or load",
+    return fmt::format("{} and {} contradict each other: {}; leave out the file of another rig or load",
                        table.trials[one.others.front()].name, table.trials[one.trial].name, what);
-  return fmt::format("{} contradicts the other files: {}; leave it out if it is of another rig or load",
+  return fmt::format("{} contradicts the other files: {}; leave it out if it comes from another rig or load",
                      table.trials[one.trial].name, what);
 }
 
-/// One channel's trials, the one that contradicts most first, until the rest agree.
+/// One channel's trials, the one that contradicts most first, until the others agree.
 void doubt_agreement(const AccelerationTable& table, std::vector<const ChannelAccelerations*> channels,
                      std::vector<Doubt>& doubts) {
   const std::size_t count = channels.size();

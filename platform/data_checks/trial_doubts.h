@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// Of trials against each other: one whose time stamps are shifted, one that is of another rig. Both need two trials,
-/// and where there are only two, none can be named.
+/// Checks trials against each other: shifted time stamps; another rig. Both need two trials. With only two, the wrong
+/// one cannot be named.
 std::vector<Doubt> trial_doubts(const AccelerationTable& table, const CommandLags& lags);
 
 }  // namespace lacuna

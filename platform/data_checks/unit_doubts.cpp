@@ -11,20 +11,20 @@
 namespace lacuna {
 namespace {
 
-constexpr double kPoor = 0.2;       // unexplained share of the squares, above which a model says little
-constexpr double kBetter = 0.1;     // of that share, once the unit is right
+constexpr double kPoor = 0.2;       // unexplained share of the squares, above which a model explains too little
+constexpr double kBetter = 0.1;     // of that share, with the right unit
 constexpr double kStandsOut = 3.0;  // noises, RMS
 constexpr double kDegree = 180.0 / std::numbers::pi;
 
 struct UnitGuess {
-  double factor;  ///< that the readings are too large by
+  double factor;  ///< factor by which the readings are too large
   bool angle;     ///< for angles alone
   std::string_view as_where;
 };
-constexpr std::array kCandidates = {UnitGuess{kDegree, true, "degrees are read as radians (57.3)"},
-                                    UnitGuess{1.0 / kDegree, true, "an angle in radians is read as degrees (1/57.3)"},
-                                    UnitGuess{1000.0, false, "thousandths (mrad, mm) are read as whole units"},
-                                    UnitGuess{0.001, false, "whole units (rad, m) are read as thousandths"}};
+constexpr std::array kCandidates = {UnitGuess{kDegree, true, "degrees were read as radians (57.3)"},
+                                    UnitGuess{1.0 / kDegree, true, "an angle in radians were read as degrees (1/57.3)"},
+                                    UnitGuess{1000.0, false, "thousandths (mrad, mm) were read as whole units"},
+                                    UnitGuess{0.001, false, "whole units (rad, m) were read as thousandths"}};
 
 /// Trials and noise with all joint readings of one unit divided by `factor`.
 std::vector<Trial> divided(std::vector<Trial> trials, const std::string& unit, double factor) {
@@ -35,7 +35,7 @@ std::vector<Trial> divided(std::vector<Trial> trials, const std::string& unit, d
   return trials;
 }
 
-/// Whether there is more to explain than noise.
+/// Whether the unexplained part is more than noise.
 bool clear(const AccelerationTable& table) { return clearness(table) > kStandsOut; }
 
 }  // namespace
@@ -57,11 +57,11 @@ std::optional<Doubt> unit_doubt(const DoubtTask& task, const AccelerationTable& 
       if (other.empty() || after > kBetter * before) continue;
       return Doubt{
           Severity::fault,
-          fmt::format("{}: the readings in {} are {:.3g} times too large, as where {}: the model leaves {:.0f} % "
-                      "of the squared acceleration unexplained as they are, and {:.2g} % so; check the unit of "
-                      "the column",
-                      other.channels.front().channel, unit, candidate.factor, candidate.as_where, 100.0 * before,
-                      100.0 * after)};
+          fmt::format(
+              "{}: the readings in {} are {:.3g} times too large, as if {}: the model leaves {:.0f} % of the squared "
+              "acceleration unexplained, and {:.2g} % with the other unit; check the unit of the column",
+              other.channels.front().channel, unit, candidate.factor, candidate.as_where, 100.0 * before,
+              100.0 * after)};
     }
   }
   return std::nullopt;

@@ -6,10 +6,10 @@
 
 namespace lacuna {
 
-/// Where the model explains next to nothing of the measured accelerations, whether it explains them once the readings
-/// are taken to be in another unit: degrees, or thousandths. A model that is wrong by that factor in a linear way is
-/// found by the response to commands instead (command_doubts.h); this finds what gravity or a swing over the top hides
-/// from it.
+/// Where the model explains almost none of the measured accelerations, checks whether it explains them with the
+/// readings in another unit: degrees, or thousandths. A wrong factor of a linear model is found by the response to
+/// commands instead (command_doubts.h); this check finds a factor that gravity or a swing over the top hides from the
+/// other.
 std::optional<Doubt> unit_doubt(const DoubtTask& task, const AccelerationTable& table,
                                 const std::vector<ChannelNoise>& noise);
 

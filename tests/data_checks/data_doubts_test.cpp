@@ -80,7 +80,8 @@ TEST(DataDoubts, AreNotRaisedByAClockThatGains) {
 TEST(DataDoubts, NameDegreesReadAsRadians) {
   RecordedPendulum rig;
   for (std::size_t i = 0; i < 3; ++i) rig.angle(i) *= kDegree;
-  EXPECT_THAT(faults_of(rig), ElementsAre(AllOf(StartsWith("angle"), HasSubstr("degrees are read as radians (57.3)"))));
+  EXPECT_THAT(faults_of(rig),
+              ElementsAre(AllOf(StartsWith("angle"), HasSubstr("degrees were read as radians (57.3)"))));
 }
 
 TEST(DataDoubts, NameRadiansReadAsDegrees) {
@@ -139,7 +140,7 @@ TEST(DataDoubts, AreNotRaisedByAnOrderThatTheModelExplainsAsWell) {
   CommandLagProfile& profile = lags.profiles.front();
   profile.squares = profile.early = profile.late = Eigen::Vector3d(100.0, 300.0, 300.0);
   EXPECT_THAT(faults_among(command_doubts(task, {}, lags)),
-              ElementsAre(HasSubstr("50 ms before its commands: 3 times")));
+              ElementsAre(HasSubstr("50 ms before its commands (3 times less")));
   profile.of_model = 120.0;
   EXPECT_THAT(faults_among(command_doubts(task, {}, lags)), IsEmpty());
 }
@@ -155,7 +156,7 @@ TEST(DataDoubts, NameACommandColumnThatIsTheReading) {
   for (Trial& trial : rig.trials) trial.commands.series.samples = 0.8 * trial.measured.samples;
   EXPECT_THAT(
       faults_of(rig),
-      ElementsAre(AllOf(StartsWith("sine.csv, multi.csv, steps.csv: the command motor is what the sensors read"),
+      ElementsAre(AllOf(StartsWith("sine.csv, multi.csv, steps.csv: the command motor equals the sensor readings"),
                         HasSubstr("it is a measurement"))));
 }
 
@@ -168,7 +169,7 @@ TEST(DataDoubts, NameACommandColumnThatIsAnotherReadingOfTheSame) {
       trial.commands.series.samples(i, 0) = 0.8 * trial.measured.samples(i, 0) + 1e-3 * noise.normal();
   EXPECT_THAT(faults_of(rig), ElementsAre(HasSubstr("it is a measurement")));
   for (Trial& trial : rig.trials) trial.commands.series.samples *= -1.0;
-  EXPECT_THAT(faults_of(rig), testing::Each(Not(HasSubstr("what the sensors read at the same moment"))));
+  EXPECT_THAT(faults_of(rig), testing::Each(Not(HasSubstr("equals the sensor readings of the same moment"))));
 }
 
 TEST(DataDoubts, NameACommandColumnThatIsAFilteredSpeed) {
@@ -206,10 +207,10 @@ TEST(DataDoubts, NameWhatNeverChanges) {
   RecordedPendulum rig;
   rig.angle(1).setConstant(0.1);
   EXPECT_THAT(faults_of(rig),
-              ElementsAre(StartsWith("multi.csv: angle is 0.100 rad from the first sample to the last")));
+              ElementsAre(StartsWith("multi.csv: angle stays at 0.100 rad from the first sample to the last")));
   // Less is commanded than where it moved, but not so much less that friction may hold it.
   rig.trials[1].commands.series.samples *= 0.7;
-  EXPECT_THAT(faults_of(rig), ElementsAre(StartsWith("multi.csv: angle is")));
+  EXPECT_THAT(faults_of(rig), ElementsAre(StartsWith("multi.csv: angle stays at")));
   // A joint that stands still where nothing is commanded is no fault.
   rig.trials[1].commands.series.samples.setZero();
   EXPECT_THAT(faults_of(rig), IsEmpty());
@@ -233,7 +234,8 @@ TEST(DataDoubts, NoteASaturatedChannelWhereSaturationIsTried) {
 
 TEST(DataDoubts, NameNoiseLargerThanTheSignal) {
   EXPECT_THAT(faults_of(RecordedPendulum({.noise = 50.0})),
-              AllOf(testing::SizeIs(3), testing::Each(AllOf(HasSubstr("angle scatters by"), HasSubstr("rad")))));
+              AllOf(testing::SizeIs(3),
+                    testing::Each(AllOf(HasSubstr("the noise of angle from sample to sample is"), HasSubstr("rad")))));
 }
 
 /// Little data makes no figure wrong: that is no fault.
@@ -242,7 +244,7 @@ TEST(DataDoubts, NameOneShortTrialAsALimit) {
   rig.trials = {recorded({}, "multi.csv", multisine, 2.0, 1)};
   EXPECT_THAT(faults_of(rig), IsEmpty());
   EXPECT_THAT(limits_among(doubts_of(rig)),
-              ElementsAre(AllOf(HasSubstr("hold 2 s, 4 stretches"), HasSubstr("Record 3.5 s at least"))));
+              ElementsAre(AllOf(HasSubstr("hold 2 s, 4 stretches"), HasSubstr("Record 3.5 s or more"))));
 }
 
 /// What is let go and comes to its end in 0.64 s is not recorded longer, but again: six times make 3.84 s.
@@ -256,11 +258,11 @@ TEST(DataDoubts, AskForMoreRecordingsOfAMotionThatEndsByItself) {
 
 TEST(DataDoubts, NoteThatNothingIsHeldOutOrThatThereIsOneFile) {
   RecordedPendulum rig;
-  EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("nothing is held out")));
+  EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("no file is held out")));
   rig.trials[1].held_out = true;
   EXPECT_THAT(notes_of(rig), IsEmpty());
   rig.trials[2].held_out = true;
-  EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("sine.csv is the only file to fit to")));
+  EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("sine.csv is the only fit file")));
 }
 
 TEST(DataDoubts, NoteAFileThatIsACopyOfAnother) {
@@ -270,7 +272,7 @@ TEST(DataDoubts, NoteAFileThatIsACopyOfAnother) {
   rig.trials.push_back(copy);
   rig.trials[1].held_out = true;
   EXPECT_THAT(notes_of(rig), ElementsAre(AllOf(StartsWith("copy.csv holds the same samples as " + rig.trials[0].name),
-                                               HasSubstr("counted twice"))));
+                                               HasSubstr("count twice"))));
   rig.trials.back().held_out = true;
   EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("confirms nothing")));
   rig.trials.back().measured.samples(100, 0) += 1e-9;

@@ -59,12 +59,12 @@ TEST(FeedbackBias, IsSeenWhereAControllerAnswersADisturbance) {
 }
 
 TEST(FeedbackBias, IsNotSeenWithoutADisturbance) {
-  EXPECT_THAT(feedback_bias(HeldPendulum(0.0).task()), ElementsAre(HasSubstr("no feedback bias is to be seen")));
+  EXPECT_THAT(feedback_bias(HeldPendulum(0.0).task()), ElementsAre(HasSubstr("no feedback bias: ")));
 }
 
 TEST(FeedbackBias, IsNotTestedWithAControllerThatDidNotMakeTheCommands) {
   EXPECT_THAT(feedback_bias(HeldPendulum(0.0, -kFeedback).task()),
-              testing::Each(AllOf(HasSubstr("does not make the recorded commands"), HasSubstr("motor"))));
+              testing::Each(AllOf(HasSubstr("does not reproduce the recorded commands"), HasSubstr("motor"))));
 }
 
 }  // namespace

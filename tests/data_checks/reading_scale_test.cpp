@@ -113,7 +113,7 @@ TEST(ReadingScaleTest, IsAmongTheDoubts) {
   RecordedPendulum rig = swinging_widely();
   misread(rig, 0.25);
   EXPECT_THAT(faults_among(data_doubts({rig.definition, *rig.model, rig.trials, rig.values})),
-              Contains(HasSubstr("angle: the readings fit the known forces once they are multiplied by 4")));
+              Contains(HasSubstr("angle: the readings agree with the known forces after they are multiplied by 4")));
 }
 
 /// A body on a vertical slider, dropped from 30 m, with heights in feet or metres.
@@ -164,7 +164,7 @@ TEST(ReadingScaleTest, FindsFeetReadAsMetresInAFall) {
   const std::optional<ReadingScale> scale = Fall(1.0 / 0.3048).scale();
   ASSERT_TRUE(scale);
   EXPECT_NEAR(scale->factor, 1.0 / 0.3048, kSameFactor);
-  EXPECT_THAT(to_string(*scale), HasSubstr("feet are read as metres"));
+  EXPECT_THAT(to_string(*scale), HasSubstr("feet were read as metres"));
   EXPECT_FALSE(Fall(1.0).scale());
   EXPECT_FALSE(Fall(1.0, 0.3).scale()) << "drag";
 }
