@@ -10,8 +10,8 @@ namespace lacuna {
 namespace {
 
 constexpr double kSelectionLevel = 0.01;
-constexpr double kLeastShare = 0.05;        // of the squares, that a selected feature explains
-constexpr double kLeastShareBeyond = 0.02;  // the same, of one found beside all that is linear in the state
+constexpr double kLeastShare = 0.05;        // of the squares: the least that a selected feature explains
+constexpr double kLeastShareBeyond = 0.02;  // the same for a feature found beside all terms linear in the state
 constexpr std::size_t kMostSelected = 4;
 
 IndependenceTest test_of(const ResidualTester& tester, const FeatureTable& table, std::size_t feature) {
@@ -30,7 +30,7 @@ bool is_linear(FeatureKind kind) {
   return kind == FeatureKind::position || kind == FeatureKind::velocity || kind == FeatureKind::command;
 }
 
-/// Positions, velocities and commands: what another mass, damping or stiffness would be linear in.
+/// Positions, velocities and commands: a wrong mass, damping or stiffness is linear in these.
 Eigen::MatrixXd linear_state(const FeatureTable& table) {
   std::vector<Eigen::Index> columns;
   for (std::size_t f = 0; f < table.features.size(); ++f) {
@@ -56,7 +56,7 @@ class Selection {
       covariates_ = beside(covariates_, linear, task_.residual.size());
       now_ = test_all(ResidualTester(task_.residual, covariates_, task_.family));
       forward(kLeastShareBeyond);
-      covariates_ = beside_others(std::nullopt, false);  // what fitted values did to make up for these
+      covariates_ = beside_others(std::nullopt, false);  // features for which fitted values compensated
       now_ = test_all(ResidualTester(task_.residual, covariates_, task_.family));
       forward(kLeastShare);
       test_beside_the_others();
@@ -91,7 +91,7 @@ class Selection {
     return best;
   }
 
-  /// Each feature beside the selected ones and all that is linear in the state, but for itself.
+  /// Each feature beside the selected ones and all other terms linear in the state.
   void test_beside_the_others() {
     tests_.features = test_all(ResidualTester(task_.residual, beside_others(std::nullopt, true), task_.family));
     for (std::size_t f = 0; f < now_.size(); ++f)
@@ -129,7 +129,7 @@ class Selection {
 
   const SelectionTask& task_;
   const FeatureTable& table_;
-  Eigen::MatrixXd covariates_;  ///< the task's and what was taken since
+  Eigen::MatrixXd covariates_;  ///< those of the task and those selected since
   ChannelTests& tests_;
   std::vector<IndependenceTest> now_;
 };

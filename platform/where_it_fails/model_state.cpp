@@ -11,7 +11,7 @@ namespace {
 std::vector<SensorSpec> joint_sensors(const RobotSpec& robot, SensorKind kind, const std::string& name) {
   std::vector<SensorSpec> sensors;
   for (const JointSpec& joint : robot.joints) {
-    if (joint.kind == JointKind::fixed || joint.kind == JointKind::free) continue;  // read by nothing of a joint
+    if (joint.kind == JointKind::fixed || joint.kind == JointKind::free) continue;  // read by no sensor of a joint
     SensorSpec sensor;
     sensor.name = name + "_" + joint.name;
     sensor.kind = kind;

@@ -26,7 +26,7 @@ struct Mass {
   Mass operator-(const Mass& other) const { return {samples - other.samples, error - other.error}; }
 };
 
-/// A column in classes of like values, about as many samples in each.
+/// A column in classes of similar values, each with about as many samples.
 struct BinnedColumn {
   std::vector<double> edges;  ///< between classes, ascending
   std::vector<std::uint8_t> bin;
@@ -51,7 +51,7 @@ BinnedColumn binned(const Eigen::VectorXd& column) {
   return result;
 }
 
-/// Σ error · log(error/samples), of which a split's gain is a difference.
+/// Σ error · log(error/samples); the gain of a split is the difference of this sum.
 double information(const Mass& mass) {
   return mass.error > 0.0 ? mass.error * std::log(mass.error / mass.samples) : 0.0;
 }
@@ -63,7 +63,7 @@ struct Split {
   double gain = 0.0;
 };
 
-/// What a node's samples hold, by feature, class and fold.
+/// Samples and errors of a node, by feature, class and fold.
 class Histograms {
  public:
   using Folds = std::array<Mass, kTreeFolds>;
@@ -81,7 +81,7 @@ class Histograms {
     }
   }
 
-  /// The best split without the samples of fold `without`; none: of all.
+  /// The best split found without the samples of fold `without`; none: with all samples.
   std::optional<Split> best(std::optional<int> without, double least_samples) const {
     std::optional<Split> best;
     for (std::size_t f = 0; f < classes_.size(); ++f) {
@@ -99,7 +99,7 @@ class Histograms {
     return best;
   }
 
-  /// By how much the split's rates tell the errors of this fold better than one rate does.
+  /// The gain of the split's rates over a single rate, on the errors of this fold.
   double gain_on(int fold, const Split& split) const {
     Mass left, whole;
     const std::vector<Folds>& classes = classes_[split.feature];
@@ -122,7 +122,7 @@ class Histograms {
     return mass;
   }
   static double told(const Mass& seen, const Mass& learnt, double rate) {
-    constexpr double kLeastRatio = 1e-3;  // a part without error when learnt may have some
+    constexpr double kLeastRatio = 1e-3;  // a part without error in the training folds may have some in this one
     const double ratio = std::max(learnt.error / (learnt.samples * rate), kLeastRatio);
     return seen.error * std::log(ratio) - seen.samples * rate * (ratio - 1.0);
   }
@@ -189,7 +189,7 @@ class Grower {
     parent.p = p;
     parent.left = static_cast<int>(tree_.nodes.size());
     parent.right = parent.left + 1;
-    const RegressionTree::Node asked = parent;  // the vector may move
+    const RegressionTree::Node asked = parent;  // push_back may move the vector's elements
     add_child(node, asked.depth + 1, split->left);
     add_child(node, asked.depth + 1, split->whole - split->left);
     for (const Eigen::Index row : rows) {

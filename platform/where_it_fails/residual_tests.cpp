@@ -19,7 +19,7 @@ constexpr double kTestLevel = 0.01;
 constexpr int kFewestWeights = 6, kMostWeights = 32;
 constexpr std::size_t kMeans = 10;
 constexpr Eigen::Index kFewestRows = 30;
-constexpr double kNew = 0.01;  // of a feature's variance, which the covariates and their noise must leave
+constexpr double kNew = 0.01;  // of a feature's variance: the least that remains beside the covariates and their noise
 
 std::vector<Eigen::Index> ascending(const Eigen::VectorXd& values) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
@@ -28,7 +28,7 @@ std::vector<Eigen::Index> ascending(const Eigen::VectorXd& values) {
   return order;
 }
 
-/// 1 + 2 Σ ρ², in samples: how long products with this residual remember at most. In growing steps of the lag.
+/// 1 + 2 Σ ρ² in samples: the longest memory of products with this residual. In growing steps of the lag.
 double memory_of(const Eigen::VectorXd& residual) {
   const double power = residual.squaredNorm();
   if (!(power > 0.0)) return 1.0;
@@ -43,13 +43,13 @@ double memory_of(const Eigen::VectorXd& residual) {
   return sum;
 }
 
-/// The cosine weights to use: all of them see a spectrum that is flat as far as they reach.
+/// The number of cosine weights: all of them lie in the flat low-frequency part of the spectrum.
 int weights_for(double memory, Eigen::Index rows) {
-  constexpr double kReach = 6.0;  // correlation times that the fastest weight's half period spans
+  constexpr double kReach = 6.0;  // correlation times in half a period of the fastest weight
   return std::clamp(static_cast<int>(static_cast<double>(rows) / (kReach * memory)), kFewestWeights, kMostWeights);
 }
 
-/// A square root of a covariance: its product with independent numbers of variance 1 has it.
+/// A square root of a covariance: times independent numbers of variance 1 it gives numbers of this covariance.
 Eigen::MatrixXd root_of(const Eigen::MatrixXd& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
@@ -73,7 +73,7 @@ Eigen::MatrixXd feature_basis(const Eigen::VectorXd& feature, bool classes) {
   basis.col(1) = basis.col(0).array().square();
   basis.col(1).array() -= basis.col(1).mean();
   basis.col(1) -= basis.col(0).dot(basis.col(1)) / basis.col(0).squaredNorm() * basis.col(0);
-  // Of a feature with two values the square says nothing new.
+  // For a feature with two values the square adds nothing.
   const bool both = !classes && basis.col(1).squaredNorm() > 1e-9 * basis.col(0).squaredNorm();
   return basis.leftCols(both ? 2 : 1);
 }
@@ -126,7 +126,7 @@ IndependenceTest ResidualTester::test(const Eigen::VectorXd& feature, bool class
   const Eigen::MatrixXd columns = feature_basis(values, classes);
   if (columns.cols() == 0) return result;
   const Eigen::MatrixXd left = without_covariates(columns);
-  if (left.squaredNorm() < kNew * columns.squaredNorm()) return result;  // the covariates say it already
+  if (left.squaredNorm() < kNew * columns.squaredNorm()) return result;  // the covariates already contain the feature
   const Eigen::MatrixXd basis = orthonormal(left);
   const Eigen::VectorXd sums = basis.transpose() * residual_;
   const Eigen::VectorXd rest = residual_ - basis * sums;
@@ -138,7 +138,8 @@ IndependenceTest ResidualTester::test(const Eigen::VectorXd& feature, bool class
       judge(scores, share_kept(basis, weights_for(memory, basis.rows())), sums, memory, result);
 
   const bool alone = taken_.cols() == 1;
-  const Eigen::MatrixXd whole = columns * left.colPivHouseholderQr().solve(basis);  // of what the basis has a part of
+  const Eigen::MatrixXd whole =
+      columns * left.colPivHouseholderQr().solve(basis);  // the component in the span of the basis
   const Eigen::VectorXd shown = alone ? raw_ : Eigen::VectorXd(rest + whole * sums);
   result.shown.setConstant(all_rows_, std::numeric_limits<double>::quiet_NaN());
   result.shown(rows_) = shown;
@@ -170,7 +171,7 @@ Eigen::MatrixXd ResidualTester::judge(const Eigen::MatrixXd& scores, const Eigen
   const double wald = sums.dot(covariance.ldlt().solve(sums));
   const boost::math::fisher_f chance(result.numerator, result.denominator);
   result.critical = boost::math::quantile(boost::math::complement(chance, kTestLevel / static_cast<double>(family_)));
-  if (!(covariance.trace() > 0.0) || !std::isfinite(wald)) {  // nothing is left: the feature explains it all
+  if (!(covariance.trace() > 0.0) || !std::isfinite(wald)) {  // the residual vanishes: the feature explains all of it
     result.statistic = std::numeric_limits<double>::infinity();
     result.p = 0.0;
     return covariance;

@@ -11,13 +11,13 @@ namespace lacuna {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kViews = 2;  // share the false alarms
+constexpr std::size_t kViews = 2;  // tests that share the false alarms
 
 /// At the rows of a table, a column a channel.
 struct Rows {
   std::vector<Channel> channels;
   Eigen::MatrixXd residuals, floors;
-  std::vector<Eigen::MatrixXd> covariates;  ///< a channel: rows × what explains its residual first
+  std::vector<Eigen::MatrixXd> covariates;  ///< one per channel: covariates (rows ×) of its residual
   Eigen::ArrayXXd squares() const { return (residuals.array() / floors.array()).square(); }
 };
 
@@ -60,7 +60,7 @@ double times_floor(const Eigen::ArrayXXd& squares) {
   return std::sqrt(finite_sum(squares) / static_cast<double>(squares.isFinite().count()));
 }
 
-/// What a touch sensor reads is a feature, too: a residual depends on its own prediction, which says nothing.
+/// Readings of a touch sensor are a feature themselves: that the residual depends on them shows nothing.
 std::vector<std::size_t> own_features(const RobotSpec& robot, const Channel& channel, const FeatureTable& table) {
   std::vector<std::size_t> own;
   for (const SensorSpec& sensor : robot.sensors)
@@ -105,7 +105,7 @@ std::vector<Condition> conditions_of(const RegressionTree& tree, int leaf) {
   return conditions;
 }
 
-/// Grows the tree over the rows that are scored in some channel; `squares` are sums over channels.
+/// Grows the tree over the rows with a residual in some channel; `squares` are sums over channels.
 void part(ResidualView& view, const FeatureTable& table, const Eigen::ArrayXXd& squares) {
   std::vector<Eigen::Index> scored;
   std::vector<double> sums;

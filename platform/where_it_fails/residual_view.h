@@ -7,11 +7,11 @@ namespace lacuna {
 /// The measured channels of the fit trials.
 std::vector<Channel> channels_of(const Comparison& comparison);
 
-/// Residuals of free runs at the rows of the table, tested and parted into regimes.
+/// Residuals of free runs at the rows of the table, tested and divided into regimes.
 ResidualView free_run_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
                            int threads);
 
-/// The same of what accelerates positions and velocities; without channels where none is measured.
+/// The same for the unexplained acceleration; without channels where no position or velocity is measured.
 ResidualView acceleration_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
                                int threads);
 

@@ -15,10 +15,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFollows = 3.0;       // floors within which the model's state is as good as the measured one
-constexpr double kRestShare = 0.02;    // of the RMS velocity, which counts as rest
-constexpr double kRestDeviations = 3;  // of a measured velocity, which count as rest
-constexpr double kRepeats = 0.999;     // correlation with a feature before
+constexpr double kFollows = 3.0;  // times the floor: within this error the model's state is as good as the measured one
+constexpr double kRestShare = 0.02;    // of the RMS velocity; slower counts as rest
+constexpr double kRestDeviations = 3;  // standard deviations of a measured velocity; slower counts as rest
+constexpr double kRepeats = 0.999;     // correlation with an earlier feature; more counts as a repetition
 
 bool usable(const TrialComparison& trial) {
   return trial.valid && !trial.held_out &&
@@ -31,7 +31,7 @@ bool follows(const TrialComparison& trial) {
                      [](const ChannelScore& score) { return score.samples == 0 || score.times_floor <= kFollows; });
 }
 
-/// The value of a command at a time, as it is held.
+/// The value of a command at a time, held between samples.
 double command_at(const CommandSeries& commands, Eigen::Index channel, double time) {
   const TimeSeries& series = commands.series;
   const double* begin = series.times.data();
@@ -46,7 +46,7 @@ double command_at(const CommandSeries& commands, Eigen::Index channel, double ti
 /// Positions and velocities of the coordinates at some samples.
 struct Kinematics {
   Eigen::MatrixXd positions, velocities;
-  Eigen::VectorXd rest;  ///< a coordinate: speeds that count as rest
+  Eigen::VectorXd rest;  ///< one per coordinate: speeds that count as rest
 };
 
 class FeatureBuilder {
@@ -101,7 +101,7 @@ class FeatureBuilder {
     }
   }
 
-  /// What a user would name first stands first: of two features that repeat each other the first is kept.
+  /// The most natural features come first: of two that repeat each other the first is kept.
   void name_features() {
     const std::vector<Coordinate>& coordinates = model_states_.coordinates();
     const std::vector<Channel> commands = command_channels(robot_);

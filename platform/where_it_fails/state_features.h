@@ -14,18 +14,18 @@ enum class FeatureKind {
   speed,
   direction,       ///< −1, 0 (at rest), 1
   since_reversal,  ///< s since the motion last came to rest or turned
-  load,            ///< generalised force of actuators and joint laws, as the model has it
+  load,            ///< generalised force of actuators and joint laws, from the model
   work,            ///< ∫ |load · velocity| dt since the trial's first sample, J
   command,
-  contact,  ///< 1: touches the ground; −1: does not; as the model has it
+  contact,  ///< 1: touches the ground; −1: does not; from the model
   time      ///< s, the trial's own
 };
 
-/// A physical quantity that an error may depend on.
+/// A physical quantity on which an error may depend.
 struct StateFeature {
   FeatureKind kind = FeatureKind::time;
   std::string name;  ///< "velocity", "direction of motion"
-  std::string of;    ///< element, as in "joint.hinge"; empty where there is nothing to tell apart
+  std::string of;    ///< element, as in "joint.hinge"; empty where there is only one
   std::string unit;
   bool classes() const { return kind == FeatureKind::direction || kind == FeatureKind::contact; }
   /// "velocity of joint.elbow"
@@ -40,7 +40,7 @@ struct FeatureTable {
   Eigen::MatrixXd values;            ///< rows × features; always finite
 };
 
-/// What features are computed from. Everything referred to must live during the call.
+/// The input of the features. Everything that it refers to must live during the call.
 struct FeatureTask {
   const ModelDefinition& definition;
   const CompiledModel& model;
@@ -50,12 +50,11 @@ struct FeatureTask {
   int threads = 1;
 };
 
-/// Positions and velocities are those of the model's free run where it follows every channel of a trial to within three
-/// floors: it is then as good as what was measured, and shares no noise with the residual. Else they are what
-/// was measured (parabolas through 50 ms of it), and the model's own for coordinates that nothing measures, as of a
-/// robot with few sensors. Features that do not vary, or repeat another one (|correlation| > 0.999), are left out.
-/// Trials that are held out, cannot be simulated or have no known floor give no rows. At most `rows` samples are taken,
-/// equally spaced.
+/// Positions and velocities come from the model's free run where it follows every channel of a trial to within three
+/// floors: there it is as good as the measurement and has no noise in common with the residual. Elsewhere they are
+/// measured (parabolas through 50 ms), with the model's own for coordinates without a sensor. Features that do not
+/// vary, or repeat another one (|correlation| > 0.999), are left out. Trials that are held out, cannot be simulated or
+/// have no known floor give no rows. At most `rows` samples are taken, equally spaced.
 FeatureTable state_features(const FeatureTask& task, std::size_t rows = 6000);
 
 }  // namespace lacuna

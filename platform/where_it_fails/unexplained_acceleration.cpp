@@ -15,12 +15,12 @@ namespace lacuna {
 namespace {
 
 constexpr std::array kWindows = {0.1, 0.2, 0.4};  // s
-constexpr double kClearlySeen = 3.0;              // an acceleration over the deviation of its noise
-constexpr double kCloseState = 0.1;      // a free run's error over the motion, which leaves the state as good as true
+constexpr double kClearlySeen = 3.0;              // least ratio of an acceleration to the deviation of its noise
+constexpr double kCloseState = 0.1;  // error of a free run over the motion: below it the model's state counts as true
 constexpr Eigen::Index kFewestHalf = 4;  // samples on either side
 constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
 
-/// How often the residual of a channel is to be differentiated for an acceleration; 0: it tells none.
+/// How often the residual of a channel must be differentiated for an acceleration; 0: the channel gives none.
 int order_of(const RobotSpec& robot, const Channel& channel) {
   for (const SensorSpec& sensor : robot.sensors) {
     const std::vector<Channel> channels = sensor_channels(robot, sensor);
@@ -37,7 +37,7 @@ int order_of(const RobotSpec& robot, const Channel& channel) {
   return 0;
 }
 
-constexpr double kLongestKept = 0.5;  ///< s of prediction after which a model is no longer where the robot is
+constexpr double kLongestKept = 0.5;  ///< s of prediction after which a model's state is too far from the robot's
 
 /// 0, free runs, where these stay close to what was measured; else the longest horizon, not chosen by the data, that
 /// every trial of the table has and that is not too long, or 0.
@@ -59,7 +59,7 @@ double horizon_for(const Comparison& comparison, const FeatureTable& table) {
   return std::isfinite(longest) ? longest : 0.0;
 }
 
-/// What a polynomial through the residual says at its middle.
+/// The derivative at its middle of a polynomial through the residual.
 struct Local {
   double value = kNotTold, slope = kNotTold, acceleration = kNotTold;
   double gain = kNotTold;  ///< deviation of the acceleration over that of a sample
@@ -93,7 +93,7 @@ Local local(const Eigen::VectorXd& times, const Eigen::VectorXd& residual, Eigen
 struct AccelerationSource {
   const TrialComparison* trial = nullptr;
   Eigen::VectorXd residual;
-  std::vector<Eigen::Index> starts;  ///< ascending; the first and one past the last sample included
+  std::vector<Eigen::Index> starts;  ///< ascending; contains the first sample and one past the last
 
   Local at(Eigen::Index sample, int order, double window) const {
     const auto next = std::upper_bound(starts.begin(), starts.end(), sample);
@@ -103,7 +103,7 @@ struct AccelerationSource {
     Eigen::Index first = sample, last = sample;
     while (first > begin && (sample - first < kFewestHalf || times(sample) - times(first - 1) <= 0.5 * window)) --first;
     while (last < end && (last - sample < kFewestHalf || times(last + 1) - times(sample) <= 0.5 * window)) ++last;
-    // Only where the window lies on both sides: at an end it says little.
+    // Only for windows inside the stretch: at an end the estimate is poor.
     const Eigen::Index reach = std::min(sample - first, last - sample);
     if (reach < kFewestHalf || 2 * reach < std::max(sample - first, last - sample)) return {};
     return local(times, residual, first, last, sample, order);

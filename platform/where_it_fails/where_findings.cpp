@@ -6,7 +6,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kAtTheFloor = 1.2;   // floors; less leaves nothing to find
+constexpr double kAtTheFloor = 1.2;   // times the floor; with less there is nothing to find
 constexpr double kLeastRegime = 0.1;  // share of squared error
 constexpr double kGathered = 1.5;     // share of error over share of samples
 constexpr double kLeastPart = 0.2, kLeastMajority = 0.5;
@@ -76,7 +76,8 @@ class Collector {
                          .unit = tests.unit});
   }
 
-  /// What one factor on the swings of all trials would take away: a trial too wide and one too narrow share none.
+  /// The error that one common factor on the swings of all trials would remove; swings that are too wide in one trial
+  /// and too narrow in another have no common factor.
   void magnitude(const ChannelTests& tests) {
     double squares = 0.0, motion = 0.0, excess = 0.0;
     for (const auto& [trial, score] : scores(tests)) {
