@@ -9,8 +9,8 @@ namespace lacuna {
 namespace {
 
 constexpr int kLongestWait = 3;          // passes
-constexpr std::size_t kFirstTrials = 2;  // are what everything begins with
-constexpr double kSmallError = 0.01;     // of what a model that never moves would get: less is no challenge
+constexpr std::size_t kFirstTrials = 2;  // trials from which everything starts
+constexpr double kSmallError = 0.01;     // of the error of a model that never moves: a smaller error is not a challenge
 
 /// Of the best model.
 double score_on(const EeaRun& run, EeaState& state, const TargetTrial& trial, int pass) {
@@ -19,7 +19,7 @@ double score_on(const EeaRun& run, EeaState& state, const TargetTrial& trial, in
   return score.kind == ScoreKind::full ? score.total : kNotKnown;
 }
 
-/// Of readings that stay at their mean.
+/// The error of readings against their mean.
 double score_of_standing_still(const EeaRun& run, const ScoredTrial& scored) {
   const TimeSeries::Samples& measured = scored.trial.measured.samples;
   std::vector<double> means;
@@ -44,7 +44,7 @@ bool too_hard(const EeaRun& run, const EeaState& state, const ScoredTrial& score
   return score > run.definition.challenge * usual;
 }
 
-/// Before a pass's estimation its models are those of the pass before.
+/// Before a pass's estimation, its models are those of the previous pass.
 int pass_of_best(const EeaState& state) { return state.pass - 1; }
 
 bool is_managed(const EeaRun& run, const EeaState& state) {

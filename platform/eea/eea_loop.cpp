@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-/// The best model of the pass, and how far it is from the truth.
+/// The best model of the pass, and its distance from the truth.
 void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
   pass.number = state.pass;
   const KnownModel& best = state.best.front();
@@ -28,7 +28,7 @@ void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
   for (const ObjectiveScore& score : scores) pass.objective.push_back({score.name, score.unit, score.value});
 }
 
-/// The models that differ, as they are handed on.
+/// The different models that the pass hands on.
 void note_ensemble(const EeaDefinition& definition, const EeaState& state, PassRow& pass) {
   for (const std::size_t i : differing(state.best, definition.ensemble, definition.phenotypes)) {
     const KnownModel& known = state.best[i];
@@ -37,14 +37,14 @@ void note_ensemble(const EeaDefinition& definition, const EeaState& state, PassR
   }
 }
 
-/// Trials that the pass left out.
+/// Trials that the pass set aside.
 void note_set_aside(const EeaState& state, PassRow& pass) {
   for (std::size_t t = 0; t < state.trials.size(); ++t)
     if (state.trials[t].set_aside_in) pass.set_aside.push_back(static_cast<int>(t));
 }
 
-/// Step 4, unless there is no use in another test, which the pass then says; the last pass and an approximate model's
-/// first test are never too many.
+/// Step 4, unless another test is of no use, which the pass then records. The last pass, and the first test of an
+/// approximate model, always make their test.
 void explore_or_stop(const EeaRun& run, EeaState& state) {
   const bool may_stop = state.pass > 0 && state.pass < run.definition.passes;
   if (may_stop) state.counts.stopped = lost_patience(run, state);
@@ -53,7 +53,7 @@ void explore_or_stop(const EeaRun& run, EeaState& state) {
   if (may_stop) state.counts.stopped = too_little_to_learn(run, state);
 }
 
-/// Writes the pass down; what comes next.
+/// Records the pass and prepares the next.
 Phase end_pass(const EeaRun& run, EeaState& state) {
   sum_up(run, state, state.counts);
   note_ensemble(run.definition, state, state.counts);
@@ -70,17 +70,17 @@ void go_on_with(Phase phase, const EeaRun& run, EeaState& state) {
   run.end_generation(state, {.pass = state.pass, .passes = run.definition.passes, .phase = phase});
 }
 
-/// A trial of a target outside may have taken minutes of a rig: it is made safe at once.
+/// A trial of an outside target may have taken minutes of rig time, so it is stored at once.
 void go_on_after_trial(Phase phase, const EeaRun& run, const EeaTarget& target, EeaState& state) {
   go_on_with(phase, run, state);
   if (target.program) run.journal.checkpoint(state, true);
 }
 
-/// A state that was stored has genomes and values only.
+/// A stored state has genomes and values only.
 void decode_again(const EeaDefinition& definition, std::vector<KnownModel>& models) {
   for (KnownModel& known : models)
     if (!known.genome.empty()) {
-      std::vector<double> values = std::move(known.model.values);  // with delays that no gene says
+      std::vector<double> values = std::move(known.model.values);  // with delays that are not genes
       known.model = definition.decode_model(known.genome);
       known.model.values = std::move(values);
     }

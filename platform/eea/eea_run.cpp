@@ -6,7 +6,7 @@ namespace lacuna {
 
 void EeaRun::end_generation(const EeaState& state, const EeaProgress& now) const {
   if (progress) progress(now);
-  const bool stop = interrupt_requested();  // once: a signal that comes later waits for the next generation
+  const bool stop = interrupt_requested();  // checked once: a later signal waits for the next generation
   journal.checkpoint(state, stop);
   if (stop) throw_if_interrupted();
 }

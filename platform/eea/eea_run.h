@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// How far a run is, told after each generation.
+/// Progress of a run, reported after each generation.
 struct EeaProgress {
   int pass = 0, passes = 0;
   Phase phase = Phase::trial;
@@ -26,8 +26,8 @@ struct EeaRun {
   std::uint64_t seed = 1;
   int replicate = 1;  ///< from 1
   int threads = 1;
-  std::vector<double> truth;          ///< of the model's free values; for the objective metric alone
-  const RobotSpec* target = nullptr;  ///< of a simulated target; for the objective metric alone
+  std::vector<double> truth;          ///< values of the model's free parameters; only for the objective metric
+  const RobotSpec* target = nullptr;  ///< of a simulated target; only for the objective metric
   std::function<void(const EeaProgress&)> progress;
   Evaluations* evaluations = nullptr;  ///< where models are simulated; null: in this process, on `threads` threads
 
@@ -36,7 +36,7 @@ struct EeaRun {
     return {seed, static_cast<std::uint64_t>(replicate), static_cast<std::uint64_t>(phase),
             static_cast<std::uint64_t>(pass)};
   }
-  /// Between two generations: tells how far it is, makes it safe, and throws `Interrupted` where the user asked for it.
+  /// Between two generations: reports progress, stores the state, and throws `Interrupted` where the user asked for it.
   void end_generation(const EeaState& state, const EeaProgress& progress) const;
 };
 

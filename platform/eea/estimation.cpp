@@ -32,7 +32,7 @@ ModelScore score_of(const ModelRow& row) {
   ModelScore score;
   score.total = row.kind == EvaluationKind::invalid ? kWorst : row.score;
   for (const double of_trial : row.trial_scores)
-    if (!std::isnan(of_trial)) score.trials.push_back(of_trial);  // what is set aside has none
+    if (!std::isnan(of_trial)) score.trials.push_back(of_trial);  // a trial that is set aside has none
   score.kind = row.kind == EvaluationKind::full        ? ScoreKind::full
                : row.kind == EvaluationKind::abandoned ? ScoreKind::abandoned
                                                        : ScoreKind::invalid;
@@ -93,14 +93,14 @@ class Estimation {
     state_.evaluated.clear();
   }
 
-  /// Each restart has random numbers of its own; the first has those of a phase without restarts.
+  /// Each restart has its own random numbers; the first has those of a phase without restarts.
   std::vector<std::uint64_t> key() const {
     std::vector<std::uint64_t> key = run_.key(Phase::estimation, state_.pass);
     if (state_.restart > 0) key.push_back(static_cast<std::uint64_t>(state_.restart));
     return key;
   }
 
-  /// Of the best models of the restarts before.
+  /// From the best models of the earlier restarts.
   std::set<std::string> structures_found() const {
     std::set<std::string> structures;
     int restart = -1;
@@ -109,8 +109,9 @@ class Estimation {
     return structures;
   }
 
-  /// The best of the pass before start the first search. Others begin anew, so that no phase is bound to where one has
-  /// led, unless they look for rivals, which have seeds of their own. An approximate model has no genome.
+  /// The best models of the previous pass seed the first search. Other searches start from random models, so that a
+  /// phase does not depend on one lineage, unless they look for rivals, which have their own seeds. An approximate
+  /// model has no genome.
   std::vector<Genome> seeds() const {
     std::vector<Genome> seeds;
     if (state_.restart > 0 && !definition_.rivals) return seeds;
@@ -132,7 +133,7 @@ class Estimation {
     return scores;
   }
 
-  /// What the encoding cannot decode is invalid, and not simulated.
+  /// A genome that cannot be decoded is invalid and not simulated.
   std::vector<EvaluatedModel> evaluate(const std::vector<Individual>& individuals, std::optional<double> bar) {
     std::vector<EvaluatedModel> evaluated(individuals.size());
     std::vector<ModelProposal> models;
@@ -140,7 +141,7 @@ class Estimation {
     for (std::size_t i = 0; i < individuals.size(); ++i) {
       DecodedModel model = decode_model(individuals[i].genome);
       if (model.reason.empty() && breeder_->is_taken(model.model))
-        model.reason = "an earlier restart has looked for its structure, " + model.model.structure;
+        model.reason = "its structure was examined by an earlier restart, " + model.model.structure;
       if (model.reason.empty()) {
         models.push_back(std::move(model.model));
         places.push_back(i);
@@ -206,7 +207,7 @@ class Estimation {
                                  .invalid = state_.counts.invalid});
   }
 
-  /// Of a restart that has ended. Those that cannot be scored come last; they judge no test.
+  /// Ranks the models of a finished restart. Those that cannot be scored come last; they judge no test.
   void keep_found() {
     for (const ScoredIndividual& scored : search_->best()) {
       if (!std::isfinite(scored.score)) break;
@@ -219,10 +220,10 @@ class Estimation {
 
   void hand_on() {
     if (state_.found.empty()) {
-      run_.journal.checkpoint(state_, true);  // with the rows that say why
+      run_.journal.checkpoint(state_, true);  // together with the rows that give the reasons
       throw Error("pass " + std::to_string(state_.pass) + ": no model of " + std::to_string(state_.counts.evaluations) +
                   " can be scored; " + (last_reason_.empty() ? "" : "the last one: " + last_reason_ + "; ") +
-                  "the view invalid_evaluations says why");
+                  "the view invalid_evaluations lists the reasons");
     }
     state_.best = std::exchange(state_.found, {});
     std::stable_sort(state_.best.begin(), state_.best.end(),
@@ -247,7 +248,7 @@ class Estimation {
   const EeaDefinition& definition_;
   EeaState& state_;
   ModelEvaluator evaluator_;
-  std::optional<RivalBreeder> breeder_;  // of the restart under way
+  std::optional<RivalBreeder> breeder_;  // of the current restart
   std::unique_ptr<Search> search_;       // that uses it
   std::string last_reason_;              // why a model was invalid
 };

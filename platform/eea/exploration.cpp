@@ -42,7 +42,7 @@ class Exploration {
     }
   }
 
-  /// Searches look for small scores; of tests the fitness is to be large.
+  /// Searches minimise; the fitness of a test is to be large.
   std::vector<double> score(const std::vector<Individual>& individuals) {
     std::vector<Genome> tests;
     for (const Individual& individual : individuals) tests.push_back(individual.genome);
@@ -91,11 +91,11 @@ class Exploration {
   void hand_on() {
     const std::vector<ScoredIndividual> best = search_->best();
     if (best.empty() || !std::isfinite(best.front().score)) {
-      run_.journal.checkpoint(state_, true);  // with the rows that say why
+      run_.journal.checkpoint(state_, true);  // together with the rows that give the reasons
       throw Error("pass " + std::to_string(state_.pass) + ": none of " +
                   std::to_string(state_.counts.test_evaluations) + " tests can be carried out on the model; " +
                   (last_reason_.empty() ? "" : "the last one: " + last_reason_ + "; ") +
-                  "the view invalid_evaluations says why");
+                  "the view invalid_evaluations lists the reasons");
     }
     state_.search.clear();
     const Individual& individual = best.front().individual;

@@ -12,7 +12,7 @@
 
 namespace lacuna {
 
-/// The judges with what each thread remembers of their predictions.
+/// The judges and each thread's memory for their predictions.
 struct LocalEvaluations::Panel {
   Panel(const EeaDefinition& of, int threads, const EeaState& state)
       : definition(of),

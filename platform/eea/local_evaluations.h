@@ -27,8 +27,8 @@ class LocalEvaluations : public Evaluations {
 
   const EeaDefinition& definition_;
   int threads_;
-  std::unique_ptr<ModelScorer> scorer_;  ///< of the estimation phase under way
-  std::unique_ptr<Panel> panel_;         ///< of the exploration phase under way
+  std::unique_ptr<ModelScorer> scorer_;  ///< of the current estimation phase
+  std::unique_ptr<Panel> panel_;         ///< of the current exploration phase
 };
 
 }  // namespace lacuna

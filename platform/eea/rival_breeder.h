@@ -11,14 +11,14 @@
 
 namespace lacuna {
 
-/// Makes genomes of models of other structures than those that are taken, as far as trying again helps. Definition and
-/// breeder must outlive it.
+/// Makes genomes of models whose structures differ from those already examined, within a number of attempts. Definition
+/// and breeder must outlive it.
 class RivalBreeder : public Breeder {
  public:
   RivalBreeder(const EeaDefinition& definition, std::set<std::string> taken)
       : definition_(definition), breeder_(*definition.estimation.breeder), taken_(std::move(taken)) {}
 
-  /// Whether trying again finds a structure that is not taken; `key`: of the random numbers.
+  /// Whether repeated attempts find a new structure; `key`: of the random numbers.
   bool can_breed(const std::vector<std::uint64_t>& key) const;
 
   Genome random(RandomStream& random) const override;
@@ -27,7 +27,7 @@ class RivalBreeder : public Breeder {
   bool is_taken(const ModelProposal& model) const { return taken_.contains(model.structure); }
 
  private:
-  /// One that cannot be decoded is not taken.
+  /// A genome that cannot be decoded counts as new.
   bool is_taken(const Genome& genome) const;
 
   const EeaDefinition& definition_;

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kBetter = 0.99;  // of the least surprise so far, to count as progress
+constexpr double kBetter = 0.99;  // of the smallest surprise so far, to count as progress
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void note_surprise(const EeaRun& run, EeaState& state, double surprise) {
 std::string lost_patience(const EeaRun& run, const EeaState& state) {
   const int patience = run.definition.patience;
   if (patience == 0 || state.passes_without_progress < patience) return {};
-  return fmt::format("the models have not foretold a new trial better for {} (least error {:.3g})",
+  return fmt::format("predictions of new trials have not improved for {} (smallest error {:.3g})",
                      counted(static_cast<std::size_t>(state.passes_without_progress), "pass"), state.least_surprise);
 }
 
@@ -39,7 +39,7 @@ std::string too_little_to_learn(const EeaRun& run, const EeaState& state) {
   const EeaDefinition& definition = run.definition;
   const double fitness = state.counts.best_fitness;
   if (!definition.stop_below || !(fitness < *definition.stop_below)) return {};
-  return fmt::format("no test is worth more than {:.3g} {} ({}), which is below exploration.stop_below = {:g}", fitness,
+  return fmt::format("the best test is worth {:.3g} {} ({}), which is below exploration.stop_below = {:g}", fitness,
                      definition.value.unit(), definition.value.name(), *definition.stop_below);
 }
 

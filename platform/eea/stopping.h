@@ -6,16 +6,16 @@
 
 namespace lacuna {
 
-/// Notes how well the best model foretold a new trial; passes in which that gets no better are counted. Where more of
-/// each trial counts than before, counting begins anew.
+/// Records how well the best model predicted a new trial; counts passes without improvement. Restarts the count where
+/// more of each trial counts than before.
 void note_surprise(const EeaRun& run, EeaState& state, double surprise);
 
-/// Why there is no use in looking for another test, a sentence: models have not foretold a trial any better for the
-/// experiment's `patience`. Empty: there is.
+/// Why another test would be of no use, a sentence: predictions of new trials have not improved for the experiment's
+/// `patience`. Empty: it may be of use.
 std::string lost_patience(const EeaRun& run, const EeaState& state);
 
-/// Why there is no use in the test that was found, a sentence: it is worth less than the experiment's `stop_below`.
-/// Empty: there is.
+/// Why the test that was found is of no use, a sentence: its worth is below the experiment's `stop_below`. Empty: it
+/// may be of use.
 std::string too_little_to_learn(const EeaRun& run, const EeaState& state);
 
 }  // namespace lacuna

@@ -20,13 +20,15 @@ namespace {
 
 constexpr int kTests = 5;
 
-/// What no sensor reads is no measurement, and would outweigh all others.
+/// A value that no sensor can read is not a measurement, and would outweigh all others.
 void check_readings(const TimeSeries& measured, const ComponentOrigin& target) {
   for (std::size_t c = 0; c < measured.channels.size(); ++c) {
     const auto readings = measured.samples.col(static_cast<Eigen::Index>(c)).array();
     if ((readings.isNaN() || readings.abs() <= kLargestReading).all()) continue;
-    throw Error(fmt::format("{}: it reads more than {:g} {} of \"{}\", which no sensor does", to_string(target),
-                            kLargestReading, measured.channels[c].unit, measured.channels[c].name));
+    throw Error(
+        fmt::format("{}: it reads more than {:g} {} of \"{}\", which no sensor can; check the unit of this channel in "
+                    "the target's program",
+                    to_string(target), kLargestReading, measured.channels[c].unit, measured.channels[c].name));
   }
 }
 
@@ -42,7 +44,7 @@ Trial trial_of(const EeaTarget& target, const Test& drive, int number) {
   return trial;
 }
 
-/// The test's fitness as the target showed it; not known where it takes several models or their slopes.
+/// The test's fitness from the target's response; not known where it needs several models or their slopes.
 double measured_fitness(const EeaDefinition& definition, const Test& drive, const Trial& trial) {
   if (definition.value.models() != 1 || definition.value.wants_slopes() || trial.centre_of_mass.times.size() == 0)
     return kNotKnown;
@@ -50,7 +52,7 @@ double measured_fitness(const EeaDefinition& definition, const Test& drive, cons
   return definition.value.score(drive, seen);
 }
 
-/// A test and what the target did.
+/// A test and the target's response.
 struct CarriedOut {
   Test drive;
   Trial trial;
@@ -65,8 +67,8 @@ CarriedOut carry_out(const EeaRun& run, const EeaTarget& target, const Genome& t
   return done;
 }
 
-/// Carries the next test out, or nothing where the target fails, which is noted. Input that is wrong stays so, and a
-/// user who ends the run is obeyed.
+/// Carries out the next test; returns nothing, after recording the failure, where the target fails. Invalid input is
+/// not tried again; an interruption by the user is obeyed.
 std::optional<CarriedOut> attempt(const EeaRun& run, const EeaTarget& target, const PendingTest& test, int number,
                                   std::string& reason) {
   try {
@@ -85,11 +87,11 @@ std::optional<CarriedOut> attempt(const EeaRun& run, const EeaTarget& target, co
 void replace_by_random(const EeaRun& run, EeaState& state, int number, int attempt) {
   const std::uint64_t given_up = state.next_test->number;
   choose_random_test(run, state, attempt);
-  run.journal.note(fmt::format("trial {}: test {} is given up; a random one, test {}, takes its place", number,
-                               given_up, state.next_test->number));
+  run.journal.note(fmt::format("trial {}: test {} is given up; random test {} takes its place", number, given_up,
+                               state.next_test->number));
 }
 
-/// Repeats tests that fail, and puts random ones in their place, a few times.
+/// Repeats tests that fail, and replaces them by random ones, a few times.
 CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaState& state, int number) {
   std::string reason;
   for (int test = 1; test <= kTests; ++test) {
@@ -100,7 +102,7 @@ CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaS
         return std::move(*done);
     }
   }
-  throw Error(fmt::format("trial {} failed with {} tests{}, the last time so: {}", number, kTests,
+  throw Error(fmt::format("trial {} failed with {} tests{}; the last error: {}", number, kTests,
                           target.repeats > 0 ? fmt::format(", each tried {} times", target.repeats + 1) : "", reason));
 }
 
@@ -123,7 +125,7 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
 
 void note_prediction(const EeaRun& run, EeaState& state, int number, const TargetTrial& trial) {
   const KnownModel& best = state.best.front();
-  if (best.genome.empty()) return;  // the approximate model that came with the experiment: no row is its own
+  if (best.genome.empty()) return;  // the approximate model that came with the experiment: it has no row
   const ForetoldTrial foretold = run.evaluations->foretell(best, trial);
   state.counts.test_steps += foretold.steps;
   if (foretold.valid)

@@ -13,17 +13,17 @@ struct EeaTarget {
   TargetSystem& system;
   ComponentOrigin origin;
   TargetSimulator* simulator = nullptr;  ///< of a simulated target
-  ProcessTarget* program = nullptr;      ///< of a target outside
-  int repeats = 0;                       ///< how often a test that failed is tried again before another takes its place
-  double pause = 0.0;                    ///< s, between a test that failed and the next attempt
+  ProcessTarget* program = nullptr;      ///< of an outside target
+  int repeats = 0;                       ///< how often a failed test is repeated before another takes its place
+  double pause = 0.0;                    ///< s, between a failed test and the next attempt
 };
 
-/// Step 2 of the seed: carries `state.next_test` out on the target and adds the trial to `state.trials`. A test that
-/// fails is repeated as often as the target allows, then replaced by a random one, a few times; each failure is noted.
-/// With `for_transfer` the trial is written down alone: no model will be fitted to it.
+/// Step 2 of the seed: carries out `state.next_test` on the target and adds the trial to `state.trials`. A failed test
+/// is repeated as often as the target allows, then replaced by a random one, a few times; each failure is recorded.
+/// With `for_transfer` the trial is only recorded: no model will be fitted to it.
 void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer);
 
-/// What the best model says about a trial of the state, or its next one, for the record.
+/// The best model's prediction of a trial of the state, or of its next one, for the record.
 void note_prediction(const EeaRun& run, EeaState& state, int number, const TargetTrial& trial);
 
 }  // namespace lacuna

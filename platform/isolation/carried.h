@@ -4,7 +4,7 @@
 
 #include <variant>
 
-/// What each message consists of (isolation/wire.h).
+/// The fields of each message (isolation/wire.h).
 namespace lacuna {
 
 template <class Wire>
@@ -32,7 +32,7 @@ void carry(Wire& wire, InitialValue& value) {
   carry_all(wire, value.knowledge, value.position, value.velocity);
 }
 
-/// All but the controller, which the phases do not ask for.
+/// All fields but the controller, which the phases do not need.
 template <class Wire>
 void carry(Wire& wire, Trial& trial) {
   carry_all(wire, trial.name, trial.commands, trial.measured, trial.initial, trial.sensor_noise, trial.command_noise,
@@ -105,7 +105,7 @@ void make_alternative(Request& request, std::uint8_t wanted) {
     else
       make_alternative<index + 1>(request, wanted);
   } else {
-    throw Error("a message between two processes is of no kind that there is");
+    throw Error("a message between two processes has an unknown kind; please report this with the command");
   }
 }
 
@@ -132,7 +132,7 @@ void carry(Wire& wire, JudgedTest& judged) {
   carry_all(wire, judged.fitness, judged.reason, judged.steps);
 }
 
-/// What a journal keeps of it: neither slopes nor what they are worth.
+/// The part that a journal keeps: without slopes and their worth.
 template <class Wire>
 void carry(Wire& wire, ForetoldTrial& foretold) {
   carry_all(wire, foretold.valid, foretold.prediction.sensors, foretold.prediction.centre_of_mass, foretold.steps);

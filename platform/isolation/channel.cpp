@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kBetweenLooks = 50;            // ms
-constexpr std::uint64_t kBlock = 1U << 24U;  // bytes; a size that is stated takes no memory before its bytes are there
+constexpr std::uint64_t kBlock = 1U << 24U;  // bytes; memory for a stated size is taken only as its bytes arrive
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// One end of a socket between two processes that send each other messages: their length and their bytes.
+/// One end of a socket between two processes that send each other messages: a length and that many bytes.
 class MessageChannel {
  public:
   /// Owns the descriptor.
@@ -18,7 +18,7 @@ class MessageChannel {
 
   /// False: the other end is closed.
   bool send(const std::string& message) const;
-  /// Nothing: the other end is closed. Throws `Interrupted` where the user has asked for the end and waits.
+  /// Nothing: the other end is closed. Throws `Interrupted` where the user has asked twice to end.
   std::optional<std::string> receive() const;
 
  private:

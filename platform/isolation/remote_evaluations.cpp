@@ -25,7 +25,7 @@ void refuse(JudgedTest& judged, const std::string& reason) { judged = {kNotKnown
 
 RemoteEvaluations::RemoteEvaluations(WorkerPool& pool, int workers)
     : pool_(pool), workers_(static_cast<std::size_t>(std::max(workers, 1))) {
-  for (Worker& worker : workers_) worker.process = pool_.take();  // all make themselves ready at once
+  for (Worker& worker : workers_) worker.process = pool_.take();  // all start up at the same time
 }
 
 RemoteEvaluations::~RemoteEvaluations() {
@@ -38,7 +38,7 @@ void RemoteEvaluations::begin(Request phase) {
   for (Worker& worker : workers_) worker.has_begun = false;
 }
 
-/// What the worker says to the phase's beginning; nothing where it has begun before.
+/// The worker's answer to the beginning of the phase; nothing where it has already begun it.
 std::string RemoteEvaluations::make_ready(Worker& worker) {
   for (;;) {
     if (!worker.process) worker.process = pool_.take();
@@ -47,7 +47,7 @@ std::string RemoteEvaluations::make_ready(Worker& worker) {
       std::string answer = ask(worker, *phase_);
       worker.has_begun = true;
       return answer;
-    } catch (const WorkerLost&) {  // the third time is another exception
+    } catch (const WorkerLost&) {  // the third loss of a worker throws another exception
       continue;
     }
   }
@@ -58,16 +58,16 @@ std::string RemoteEvaluations::ask(Worker& worker, const Request& request) {
     return worker.process->ask(request);
   } catch (const WorkerLost& lost) {
     worker = {};
-    throw_if_asked_to_stop();  // whoever asked this process may have ended the other
+    throw_if_asked_to_stop();  // the request that ended this process may have ended the other as well
     pool_.note_lost(lost.work);
     throw;
-  } catch (...) {  // its answer may be under way, or it is none
+  } catch (...) {  // it may still be answering, or have ended
     worker = {};
     throw;
   }
 }
 
-/// `request_for` makes the request for the pieces with some indices; the answer has one result for each.
+/// `request_for` makes the request for the pieces with these indices; the answer has one result for each.
 template <class Result, class MakeRequest>
 std::vector<Result> RemoteEvaluations::share_out(std::size_t count, const MakeRequest& request_for) {
   std::vector<Result> results(count);
@@ -77,7 +77,8 @@ std::vector<Result> RemoteEvaluations::share_out(std::size_t count, const MakeRe
       make_ready(worker);
       try {
         auto answered = from_bytes<std::vector<Result>>(ask(worker, request_for(part)));
-        if (answered.size() != part.size()) throw Error("a worker process has answered something else than was asked");
+        if (answered.size() != part.size())
+          throw Error("a worker process returned a wrong number of results; please report this with the command");
         for (std::size_t i = 0; i < part.size(); ++i) results[part[i]] = std::move(answered[i]);
       } catch (const WorkerLost& lost) {
         if (lost.work.is_the_tasks && lost.work.task < part.size()) {

@@ -10,9 +10,9 @@
 
 namespace lacuna {
 
-/// Simulates models in worker processes. One that ends is replaced; the model or test that ended it is invalid, with
-/// what happened as its reason, and whatever else it was asked for is asked of another one. Throws `Error` where a
-/// component has ended three of them.
+/// Simulates models in worker processes. A process that ends is replaced; the model or test that ended it becomes
+/// invalid, with the cause as its reason, and the rest of its work goes to another process. Throws `Error` where a
+/// component has ended three processes.
 class RemoteEvaluations : public Evaluations {
  public:
   /// The pool must outlive it; works in `workers` processes.
@@ -43,7 +43,7 @@ class RemoteEvaluations : public Evaluations {
 
   WorkerPool& pool_;
   std::vector<Worker> workers_;
-  std::optional<Request> phase_;  ///< how the phase under way begins
+  std::optional<Request> phase_;  ///< the message that begins the current phase
 };
 
 }  // namespace lacuna

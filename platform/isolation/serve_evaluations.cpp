@@ -36,7 +36,7 @@ EeaState state_of(const EeaDefinition& definition, WiredState&& wired) {
   return state;
 }
 
-/// Carries requests out, on one thread.
+/// Carries out requests, on one thread.
 class Clerk {
  public:
   explicit Clerk(const EeaDefinition& definition) : definition_(definition), here_(definition, 1) {}
@@ -68,7 +68,7 @@ class Clerk {
   }
 
   std::string carry_out(BeginExploration&& asked) {
-    state_ = state_of(definition_, std::move(asked.state));  // which the judges refer to
+    state_ = state_of(definition_, std::move(asked.state));  // referred to by the judges
     return to_bytes(here_.begin_exploration(state_));
   }
 

@@ -16,8 +16,8 @@
 
 namespace lacuna {
 
-/// Values as bytes for another process of the same program on the same machine. What a type consists of is said once,
-/// by a function `carry(wire, value)`, which serves both directions.
+/// Values as bytes for another process of the same program on the same machine. One function `carry(wire, value)` per
+/// type lists its fields and serves both directions.
 class WireWriter {
  public:
   static constexpr bool kReads = false;
@@ -41,7 +41,7 @@ class WireReader {
     if (size > 0) std::memcpy(data, left_.data(), size);
     left_.remove_prefix(size);
   }
-  /// The size of what follows, of which each element takes one byte at least.
+  /// The number of elements that follow, each of which takes at least one byte.
   std::size_t count(std::uint64_t stated) const {
     if (stated > left_.size()) throw Error("a message between two processes ends too early");
     return static_cast<std::size_t>(stated);
@@ -60,11 +60,11 @@ template <class Wire>
 void carry(Wire& wire, bool& value) {
   std::uint8_t byte = value ? 1 : 0;
   carry(wire, byte);
-  if (byte > 1) throw Error("a message between two processes has a truth value that cannot be");
+  if (byte > 1) throw Error("a message between two processes has an invalid truth value");
   if constexpr (Wire::kReads) value = byte != 0;
 }
 
-/// The parts of a type, in this order.
+/// The fields of a type, in this order.
 template <class Wire, class... Parts>
 void carry_all(Wire& wire, Parts&... parts) {
   (carry(wire, parts), ...);
@@ -125,10 +125,10 @@ void carry_matrix(Wire& wire, Matrix& matrix) {
   carry(wire, rows);
   carry(wire, columns);
   if constexpr (Wire::kReads) {
-    constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();  // or their product might be wrong
+    constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();  // their product might overflow
     const bool is_column = Matrix::ColsAtCompileTime == 1;
     if (rows > kMost || columns > kMost || (is_column && columns != 1))
-      throw Error("a message between two processes states a size that cannot be");
+      throw Error("a message between two processes has an invalid size");
     wire.count(rows * columns);
     matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   }
@@ -145,7 +145,7 @@ void carry(Wire& wire, TimeSeries& series) {
 template <class Value>
 std::string to_bytes(const Value& value) {
   WireWriter writer;
-  carry(writer, const_cast<Value&>(value));  // a writer changes nothing
+  carry(writer, const_cast<Value&>(value));  // writing changes nothing
   return writer.take();
 }
 

@@ -8,15 +8,15 @@
 
 namespace lacuna {
 
-/// Hands out pieces of work to several workers: large parts first, single pieces at the end, so that all end at about
-/// the same time and few messages are needed. Shared by threads.
+/// Hands out pieces of work to several workers: large parts first, single pieces at the end, so that all finish at
+/// about the same time with few messages. Shared by threads.
 class WorkQueue {
  public:
   WorkQueue(std::size_t count, std::size_t workers) : left_(count), workers_(workers) {
     std::iota(left_.rbegin(), left_.rend(), std::size_t{0});
   }
 
-  /// Empty: nothing is left.
+  /// Empty: no work is left.
   std::vector<std::size_t> take() {
     const std::scoped_lock lock(mutex_);
     const std::size_t wanted = std::max<std::size_t>(1, left_.size() / (kParts * workers_));
@@ -31,7 +31,7 @@ class WorkQueue {
     const std::scoped_lock lock(mutex_);
     left_.insert(left_.end(), part.rbegin(), part.rend());
   }
-  /// Nothing more is handed out.
+  /// Hands out nothing more.
   void close() {
     const std::scoped_lock lock(mutex_);
     left_.clear();
@@ -41,7 +41,7 @@ class WorkQueue {
   static constexpr std::size_t kParts = 4;
 
   std::mutex mutex_;
-  std::vector<std::size_t> left_;  ///< the next one at the end
+  std::vector<std::size_t> left_;  ///< index of the next piece, at the end
   std::size_t workers_;
 };
 

@@ -12,12 +12,11 @@ constexpr int kMostLost = 3;
 std::string sentence_of(const LostWork& lost) {
   if (lost.component.empty())
     return fmt::format(
-        "{} worker processes have ended, the last one so: {}; give the run fewer --threads where memory "
-        "is short, raise --evaluation-limit where models need more, or please report the command",
+        "{} worker processes have ended, the last one so: {}. If memory is short, give the run fewer --threads; if "
+        "models need more time, raise --evaluation-limit; otherwise please report the command",
         kMostLost, lost.deed);
   return fmt::format(
-      "{} has ended {} worker processes, the last one so: {}; repair the plugin, or do without this "
-      "component",
+      "{} has ended {} worker processes, the last one so: {}. Repair the plugin or leave this component out",
       lost.component, kMostLost, lost.deed);
 }
 

@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// Worker processes for the replicates of an experiment, which take them and give them back. Shared by threads.
+/// Worker processes that the replicates of an experiment take and return. Shared by threads.
 class WorkerPool {
  public:
   explicit WorkerPool(WorkerTask task) : task_(std::move(task)) {}
@@ -19,7 +19,7 @@ class WorkerPool {
   std::unique_ptr<WorkerProcess> take();
   void give_back(std::unique_ptr<WorkerProcess> worker);
 
-  /// Notes that one has ended. Throws `Error` where that was the third time for its component, or for nobody's.
+  /// Counts a process that has ended. Throws `Error` the third time for its component, or for an unknown cause.
   void note_lost(const LostWork& lost);
 
  private:

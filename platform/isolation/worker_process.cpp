@@ -13,9 +13,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kGrace = 1.0;  // s, for the end of a process that has closed its channel
+constexpr double kGrace = 1.0;  // s, to wait for the end of a process that has closed its channel
 
-/// A channel, and a program that has its other end as its standard input.
+/// A channel, and a program whose standard input is the other end.
 std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -23,7 +23,7 @@ std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin() {
   MessageChannel here(ends[0]);
   const MessageChannel there(ends[1]);
   ChildBeginning beginning;
-  beginning.words = {"/proc/self/exe", "worker"};  // also where the program's file has been replaced
+  beginning.words = {"/proc/self/exe", "worker"};  // works also after the program's file was replaced
   beginning.input = ends[1];
   beginning.errors = STDERR_FILENO;
   return {std::move(here), std::make_unique<ChildProgram>(beginning)};
@@ -35,7 +35,7 @@ WorkerProcess::WorkerProcess(const WorkerTask& task) : WorkerProcess(begin(), ta
 
 WorkerProcess::WorkerProcess(std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begun, const WorkerTask& task)
     : channel_(std::move(begun.first)), child_(std::move(begun.second)) {
-  channel_.send(to_bytes(Request(task)));  // where it has ended already, its answer says so
+  channel_.send(to_bytes(Request(task)));  // if it has already ended, its answer tells so
 }
 
 std::string WorkerProcess::answer() {
@@ -48,7 +48,7 @@ std::string WorkerProcess::answer() {
   message->erase(0, 1);
   if (kind == AnswerKind::lost) throw WorkerLost(from_bytes<LostWork>(*message));
   if (kind == AnswerKind::failed) throw Error(from_bytes<std::string>(*message));
-  if (kind != AnswerKind::done) throw Error("a worker process gave an answer of no kind that there is");
+  if (kind != AnswerKind::done) throw Error("a worker process sent an answer of an unknown kind");
   return std::move(*message);
 }
 

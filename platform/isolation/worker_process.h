@@ -20,14 +20,14 @@ class WorkerLost : public Error {
   LostWork work;
 };
 
-/// A process of this program that evaluates models. One thread.
+/// A process of this program that evaluates models, on one thread.
 class WorkerProcess {
  public:
-  /// Begins the program that runs once more, which makes itself ready while this one goes on.
+  /// Starts the running program a second time; it starts up while this process goes on.
   explicit WorkerProcess(const WorkerTask& task);
 
-  /// The answer to a request. Throws `WorkerLost`, after which it answers no more; `Error` with the sentence of what
-  /// the worker threw; `Interrupted`.
+  /// The answer to a request. Throws `WorkerLost`, after which this worker gives no more answers; `Error` with the
+  /// worker's message; `Interrupted`.
   std::string ask(const Request& request);
 
  private:

@@ -43,7 +43,7 @@ TEST(Stopping, WhereNoTestIsWorthEnough) {
   const auto bench = small_bench({"experiment.passes=9", "exploration.stop_below=1000"});
   const MemoryJournal journal = run(*bench);
   ASSERT_EQ(journal.passes.size(), 1U);
-  EXPECT_THAT(journal.passes[0].stopped, AllOf(HasSubstr("no test is worth more than"), HasSubstr("stop_below")));
+  EXPECT_THAT(journal.passes[0].stopped, AllOf(HasSubstr("the best test is worth"), HasSubstr("stop_below")));
   EXPECT_EQ(journal.trial_rows.size(), 1U);
 }
 
@@ -77,7 +77,7 @@ TEST(Stopping, WithoutPatienceNoOtherTestIsLookedFor) {
   const MemoryJournal journal = run(*small_bench(
       {"experiment.passes=9", "estimation.patience=1", "estimation.parameters={population=2,keep=1,generations=1}"}));
   ASSERT_LT(journal.passes.size(), 9U) << "models of two guesses do not improve in every pass";
-  EXPECT_THAT(journal.passes.back().stopped, HasSubstr("foretold"));
+  EXPECT_THAT(journal.passes.back().stopped, HasSubstr("predictions of new trials have not improved"));
   EXPECT_EQ(journal.passes.back().test_evaluations, 0U);
   EXPECT_GT(journal.passes.front().test_evaluations, 0U);
 }
@@ -101,7 +101,7 @@ TEST(Horizons, GrowAndAreLongerThanAStep) {
   EXPECT_THAT([] { small_bench({"estimation.horizons=[0.2,0.1]"}); },
               ThrowsMessage<BadInput>(HasSubstr("horizons grow")));
   EXPECT_THAT([] { small_bench({"estimation.horizons=[0.001]"}); },
-              ThrowsMessage<BadInput>(HasSubstr("only the start would count")));
+              ThrowsMessage<BadInput>(HasSubstr("only the initial state would count")));
 }
 
 TEST(EeaDefinition, WhatAFitnessRefusesStandsAtItsKeyBesideTheRest) {

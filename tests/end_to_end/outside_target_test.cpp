@@ -199,8 +199,8 @@ TEST_F(OutsideRig, ThatFailsAgainAndAgainEndsARunThatCanBeResumed) {
       program_.run({"run", "rig.toml", "--set", fault("waits for repair"), "--set", "target.repeats=2"});
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_THAT(failed.errors,
-              AllOf(HasSubstr("trial 0 failed with 5 tests, each tried 3 times, the last time so: "),
-                    HasSubstr("test 0 is given up; a random one, test 1, takes its place"),
+              AllOf(HasSubstr("trial 0 failed with 5 tests, each tried 3 times; the last error: "),
+                    HasSubstr("test 0 is given up; random test 1 takes its place"),
                     HasSubstr("nothing is lost; once that is mended, "), HasSubstr("--resume goes on from here")));
   EXPECT_EQ(sql("SELECT count(*) FROM failed_trials"), "15");
   const Outcome other = program_.run({"run", "rig.toml", "--resume", "--set", "target.version=\"2\""});

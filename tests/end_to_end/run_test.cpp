@@ -232,7 +232,7 @@ TEST_F(Run, WithoutAModelThatCanBeScoredKeepsTheReasons) {
   const Outcome outcome = program_.run({"run", "small.toml", "--set", "model.free={\"body.torso.inertia.xy\"=[5,6]}"});
   EXPECT_EQ(outcome.exit_code, kFailed);
   EXPECT_THAT(outcome.errors, AllOf(HasSubstr("can be scored; the last one: trial 0, "),
-                                    HasSubstr("; the view invalid_evaluations says why")));
+                                    HasSubstr("; the view invalid_evaluations lists the reasons")));
   EXPECT_THAT(outcome.output, Not(HasSubstr("lacuna plot")));
   const Outcome reasons = program_.run({"sql", "small.db", "SELECT DISTINCT reason FROM invalid_evaluations", "--csv"});
   EXPECT_THAT(reasons.output, HasSubstr("trial 0, "));

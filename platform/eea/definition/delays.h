@@ -7,8 +7,8 @@
 
 namespace lacuna {
 
-/// The delays of sensors that the experiment profiles, of a model whose genome does not say them: those with which it
-/// comes nearest to all that the trials measured, from their start to their end. A search may score less than that.
+/// Finds the delays of sensors that the experiment profiles, for a model whose genome does not contain them: those with
+/// the smallest error on all readings of the trials, over their whole length. A search may score a part of that only.
 class Delays {
  public:
   /// `trials`: `EeaDefinition::observed`. The definition must outlive it.
@@ -16,8 +16,8 @@ class Delays {
       : scorer_(*definition.compiled, std::move(trials), definition.metric, 1, &definition.model, definition.profiled) {
   }
 
-  /// Writes them into the model's values and returns the steps that it took. A model that cannot be simulated stays as
-  /// it is.
+  /// Writes the delays into the model's values and returns the number of steps. A model that cannot be simulated stays
+  /// unchanged.
   std::uint64_t find(ModelProposal& model) const;
 
  private:

@@ -11,21 +11,22 @@
 #include <cmath>
 #include <utility>
 
-/// The plugins that an experiment names, found and tried.
+/// Finds and checks the plugins that an experiment names.
 namespace lacuna {
 namespace {
 
-constexpr double kMostSamples = 1e6;    // of a test; more would only show that memory ends
-constexpr double kUnitRounding = 1e-9;  // of two values that were written in different units
+constexpr double kMostSamples = 1e6;    // of a test; a longer one needs too much memory
+constexpr double kUnitRounding = 1e-9;  // between two values that were written in different units
 
 /// Complains about actuators whose commands have no limits.
 TestSpace limited_space(const Experiment& experiment, const RobotSpec& robot, Complaints& complaints) {
   TestSpace space = test_space(robot, experiment.engine, experiment.test.duration);
   for (std::size_t a = 0; a < space.actuators.size(); ++a)
     if (!std::isfinite(space.lower[a]) || !std::isfinite(space.upper[a]))
-      complaints.add("test.encoding", "the commands of actuator \"" + space.actuators[a].name +
-                                          "\" have no limits to make tests within; give it command_lower and "
-                                          "command_upper, or a force_limit");
+      complaints.add(
+          "test.encoding",
+          "the commands of actuator \"" + space.actuators[a].name +
+              "\" have no limits, so no tests can be made; give it command_lower and command_upper, or a force_limit");
   return space;
 }
 
@@ -41,7 +42,7 @@ std::vector<AppliedMutation> mutations_of(const std::vector<MutationEntry>& entr
   return mutations;
 }
 
-/// The layout that an encoding makes of its space, and the breeder of its genomes.
+/// The layout that an encoding makes for its space, and the breeder of its genomes.
 template <class Encoding, class Space>
 std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, const Space& space,
                                              const std::string& key, std::vector<AppliedMutation> mutations,
@@ -53,7 +54,7 @@ std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, c
       Genome genome = guarded_call(encoding.origin, "random", [&] { return encoding->random(layout, stream); });
       const std::string problem = misfit(genome, layout);
       if (!problem.empty())
-        throw Error(to_string(encoding.origin) + ": its random genome " + problem + "; that is a fault of the plugin");
+        throw Error(to_string(encoding.origin) + ": its random genome " + problem + "; this is a fault of the plugin");
       return genome;
     };
     return std::make_unique<OperatorBreeder>(layout, random, std::move(mutations));
@@ -63,10 +64,10 @@ std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, c
   }
 }
 
-/// Operators that refuse the genomes, or their own parameters, are found before a run begins.
+/// Finds operators that refuse the genomes or their own parameters before a run begins.
 void try_operators(const OperatorBreeder& breeder, const std::string& section, Complaints& complaints) {
   for (std::size_t i = 0; i < breeder.mutations().size(); ++i) {
-    if (!breeder.mutations()[i].mutation) continue;  // a complaint of its own
+    if (!breeder.mutations()[i].mutation) continue;  // the plugin's own complaint
     try {
       RandomStream any(std::array<std::uint64_t, 1>{i});
       breeder.trial_child(i, any);
@@ -76,7 +77,7 @@ void try_operators(const OperatorBreeder& breeder, const std::string& section, C
   }
 }
 
-/// And so are parameters that make no search. `section`: of the experiment.
+/// The same for parameters of a search. `section`: of the experiment.
 void try_search(const SearchPlan& plan, const std::string& section, Complaints& complaints) {
   if (!plan.breeder) return;
   try_operators(*plan.breeder, section, complaints);
@@ -105,7 +106,7 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
   estimation.strategy = choose<SearchStrategy>(catalog, estimate.search.search,
                                                {"estimation.search", "estimation.parameters"}, complaints);
   std::vector<AppliedMutation> mutations = mutations_of(estimate.search.mutation, "estimation", catalog, complaints);
-  // Where the file leaves the encoding of values as it is, what is missing is something to encode.
+  // Where the file does not choose an encoding, the problem is that there is nothing to encode.
   const bool only_free = gene_space.free.empty() && experiment.model.encoding.name == ModelSection{}.encoding.name;
   if (model_encoding.component)
     estimation.breeder = breeder_for(model_encoding, gene_space, only_free ? "model.free" : "model.encoding",
@@ -131,7 +132,7 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
     complaints.add("test.duration", "a test of " + format_quantity(test_space.duration, "s") +
                                         " is shorter than one control period of " +
                                         format_quantity(test_space.control_period, "s") +
-                                        ", so that nothing moves in it; make it longer, or engine.step smaller");
+                                        ", so nothing moves in it; make it longer or engine.step smaller");
   else if (samples <= kMostSamples)
     sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
   else
@@ -152,7 +153,7 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
 
 namespace {
 
-/// Whether a fitness takes its parameters.
+/// Whether a fitness accepts its parameters.
 bool try_fitness(const TestValue::Part& part, const std::string& key, Complaints& complaints) {
   try {
     const TestValue alone({part});
@@ -183,14 +184,15 @@ void EeaDefinition::choose_fitnesses(const ExplorationSection& explore, const Pl
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string key =
         i == 0 ? "exploration.fitness_parameters" : "exploration.mix[" + std::to_string(i - 1) + "].parameters";
-    usable =
-        parts[i].fitness.component && try_fitness(parts[i], key, complaints) && usable;  // or a complaint of its own
+    usable = parts[i].fitness.component && try_fitness(parts[i], key, complaints) &&
+             usable;  // or the plugin's own complaint
   }
   if (!usable) return;
   value = TestValue(std::move(parts));
   if (value.models() == 0 && explore.stop_below)
-    complaints.add("exploration.stop_below", "no test is worth more than another to " + value.name() +
-                                                 "; leave it out, or choose another fitness");
+    complaints.add("exploration.stop_below",
+                   "stop_below has no meaning for " + value.name() +
+                       ", which gives all tests the same worth; leave stop_below out, or choose another fitness");
   ensemble = std::max(ensemble, value.models());
 }
 

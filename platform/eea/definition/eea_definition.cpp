@@ -26,7 +26,7 @@ std::vector<FreeParameter> free_parameters(const ModelDefinition& model) {
   return free;
 }
 
-/// The series from its start on for so many seconds.
+/// The first seconds of the series.
 TimeSeries until(TimeSeries series, double seconds) {
   constexpr double kRounding = 1e-9;  // s
   Eigen::Index rows = 0;
@@ -68,7 +68,7 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
   complaints.throw_if_any();
 }
 
-/// Rivals are looked for among several structures, by several restarts.
+/// Alternative models of other structures need several structures and several restarts.
 void EeaDefinition::check_rivals(Complaints& complaints) const {
   if (!rivals) return;
   if (restarts < 2)
@@ -79,30 +79,31 @@ void EeaDefinition::check_rivals(Complaints& complaints) const {
   for (int i = 0; i < kStructureDraws && structures.size() < 2; ++i) try {
       structures.insert(decode_model(estimation.breeder->random(random)).structure);
     } catch (const Error&) {
-      return;  // a search says what cannot be decoded
+      return;  // a search reports genomes that cannot be decoded
     }
   if (structures.size() < 2)
     complaints.add("estimation.rivals", "all models of the encoding " + model_encoding.origin.name +
-                                            " have one structure, so that none has a rival; leave rivals out, or take "
-                                            "an encoding such as parameters_and_effects or morphology");
+                                            " have the same structure, so there are no rivals; leave rivals out, or "
+                                            "take an encoding such as parameters_and_effects or morphology");
 }
 
 void EeaDefinition::check_horizons(bool takes_tests, Complaints& complaints) const {
   const double period = std::max(model.engine.step, model.engine.control_period);
   if (!takes_tests && horizons.size() > 1)
-    complaints.add("estimation.horizons", "a recorded target is explained in one pass; name one horizon");
+    complaints.add("estimation.horizons", "a recorded target is explained in one pass; give one horizon");
   for (std::size_t i = 0; i < horizons.size(); ++i) {
     const std::string key = "estimation.horizons[" + std::to_string(i) + "]";
     if (takes_tests && horizons[i] < period)
-      complaints.add(key, format_quantity(horizons[i], "s") + " is less than a control period of " +
-                              format_quantity(period, "s") + ": only the start would count");
+      complaints.add(key, format_quantity(horizons[i], "s") + " is less than one control period, " +
+                              format_quantity(period, "s") +
+                              ", so only the initial state would count; give a longer horizon");
     if (i > 0 && horizons[i] < horizons[i - 1])
-      complaints.add(key, format_quantity(horizons[i], "s") + " is less than the pass before counted, " +
-                              format_quantity(horizons[i - 1], "s") + "; horizons grow");
+      complaints.add(key, format_quantity(horizons[i], "s") + " is less than in the pass before, " +
+                              format_quantity(horizons[i - 1], "s") + "; horizons must grow");
   }
 }
 
-/// Delays of sensors that are no genes.
+/// Delays of sensors that are not genes.
 void EeaDefinition::find_profiled(const EstimationSection& estimate, Complaints& complaints) {
   std::vector<bool> is_profiled(model_space.free.size(), false);
   for (std::size_t i = 0; i < estimate.profiled.size(); ++i) {
@@ -113,25 +114,27 @@ void EeaDefinition::find_profiled(const EstimationSection& estimate, Complaints&
       if (!matches(estimate.profiled[i], free.address)) continue;
       found = true;
       if (!matches("sensor.*.delay", free.address))
-        complaints.add(key, free.address + " is no delay of a sensor; only those are found without simulating");
+        complaints.add(key,
+                       free.address + " is not a delay of a sensor; only such delays can be found without simulating");
       else if (free.lower > 0.0)
         complaints.add(key, free.address + " begins at " + format_quantity(free.lower, "s") +
-                                "; its range must begin at 0 s, for models are simulated without it");
+                                ", but models are simulated without it; let its range begin at 0 s");
       else
         is_profiled[v] = true;
     }
-    if (!found) complaints.add(key, "no free value is called \"" + estimate.profiled[i] + "\"; see [model.free]");
+    if (!found) complaints.add(key, "no free value has the name \"" + estimate.profiled[i] + "\"; see [model.free]");
   }
   if (!estimate.profiled.empty() && !estimate.replay)
     complaints.add("estimation.profiled",
-                   "a controller answers to delayed readings, so delays change what a model does; write replay = true");
+                   "delays change what a model with a controller does, because the controller responds to delayed "
+                   "readings; write replay = true");
   gene_space.free.clear();
   for (std::size_t v = 0; v < model_space.free.size(); ++v)
     if (is_profiled[v])
       profiled.push_back(v);
     else
       gene_space.free.push_back(model_space.free[v]);
-  for (ModelEffect& effect : gene_space.effects)  // whose parameters stand behind all values of the robot
+  for (ModelEffect& effect : gene_space.effects)  // after all values of the robot come those of the effects
     for (std::size_t& v : effect.values) v -= profiled.size();
 }
 
@@ -140,8 +143,8 @@ ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
     return model_encoding->decode(gene_space, model_encoding.parameters, genome);
   });
   if (const std::string fault = misfit(decoded, gene_space); !fault.empty())
-    throw Error(to_string(model_encoding.origin) + ": " + fault + "; that is a fault of the plugin: repair it");
-  for (const std::size_t v : profiled)  // in ascending order, so that each stands at its place
+    throw Error(to_string(model_encoding.origin) + ": " + fault + "; this is a fault of the plugin: repair it");
+  for (const std::size_t v : profiled)  // in ascending order, so that each insertion is at its final place
     decoded.values.insert(decoded.values.begin() + static_cast<std::ptrdiff_t>(v), 0.0);
   for (const std::size_t effect : decoded.without)
     for (const std::size_t v : model_space.effects[effect].values) decoded.values[v] = kNotKnown;

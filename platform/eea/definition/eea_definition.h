@@ -26,36 +26,36 @@ struct SearchPlan {
   const GenomeLayout& layout() const { return breeder->layout(); }
 };
 
-/// Everything that an experiment says about the Estimation-Exploration Algorithm, its plugins found and its settings
+/// All settings of an experiment for the Estimation-Exploration Algorithm, with its plugins found and its settings
 /// checked. Const and shared by the replicates.
 class EeaDefinition {
  public:
   /// Throws `BadInput` with every problem at its place in the file. `model` is the experiment's. The catalog must live
-  /// as long. With `takes_tests` false nothing is made of tests and exploration.
+  /// as long. With `takes_tests` false, settings of tests and exploration are not used.
   EeaDefinition(const Experiment& experiment, const PluginCatalog& catalog, ModelDefinition model, bool takes_tests);
   EeaDefinition(const EeaDefinition&) = delete;
   EeaDefinition& operator=(const EeaDefinition&) = delete;
 
-  /// A genome's model; values of effects that it does without are not known. Throws `Error` that names the encoding
-  /// where it fails.
+  /// The model of a genome; values of effects that its structure lacks are undefined. Throws `Error` that names the
+  /// encoding where it fails.
   ModelProposal decode_model(const Genome& genome) const;
   Test decode_test(const Genome& genome) const;
-  /// What models are driven by to be held against a trial of that test: the commands that a program took, which may
-  /// have been late or clipped, where the test is a series of them; else the test itself.
+  /// The drive of models that are compared with a trial of that test: the commands that a program received, which may
+  /// have been late or clipped, where the test is a series of commands; else the test.
   Test drive_of(Test test, const Trial& trial) const;
-  /// A trial as models of a pass are held against it: with the sensors that the experiment scores, as far as the pass's
+  /// A trial as models of a pass are compared with it: with the sensors that the experiment scores, up to the pass's
   /// horizon, and driven as the experiment says.
   ScoredTrial scored(Test drive, Trial trial, int pass) const;
-  /// The whole trial with all that it measured, driven as the experiment says.
+  /// The whole trial with all its channels, driven as the experiment says.
   ScoredTrial observed(Test drive, Trial trial) const;
-  /// How much of a trial counts in a pass, s; infinite: all of it.
+  /// Length of a trial that counts in a pass, s; infinite: all of it.
   double horizon(int pass) const;
 
   ModelDefinition model;
   Phenotypes phenotypes;
   std::unique_ptr<CompiledModel> compiled;
   ModelSpace model_space;
-  std::vector<std::size_t> profiled;  ///< of its free values, those that are no genes but found for each model
+  std::vector<std::size_t> profiled;  ///< indices of the free values that are not genes but found for each model
   ModelSpace gene_space;              ///< without them
   TestSpace test_space;
   Chosen<ModelEncoding> model_encoding;
@@ -63,19 +63,19 @@ class EeaDefinition {
   Chosen<FitnessMetric> metric;
   TestValue value;
   std::optional<Chosen<ObjectiveMetric>> objective;
-  std::vector<std::string> scored_channels;  ///< names; none: all that a trial has measured
+  std::vector<std::string> scored_channels;  ///< names; none: all channels of a trial
   std::vector<std::size_t> seen_channels;    ///< by a test's controller, of the robot's channels; none: all
   SearchPlan estimation, exploration;
-  std::size_t ensemble = 1;          ///< how many models that differ a pass keeps
+  std::size_t ensemble = 1;          ///< how many different models a pass keeps
   std::vector<double> sample_times;  ///< of a test, s
   int passes = 1;
   int seeds = 0;
   int restarts = 1;
   bool rivals = false;           ///< each restart looks for another structure
   bool replay = false;           ///< models are driven by the commands that the target received
-  std::vector<double> horizons;  ///< s, one a pass; the last for all that follow; none: whole trials
+  std::vector<double> horizons;  ///< s, one per pass; the last for all that follow; none: whole trials
   double challenge = 0.0;        ///< 0: no trial is set aside
-  int patience = 0;              ///< passes; 0: without end
+  int patience = 0;              ///< passes; 0: no limit
   std::optional<double> stop_below;
   bool approximate = false;
   bool target_is_program = false;  ///< that keeps its own time

@@ -10,7 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kVersion = 2.0;
-constexpr double kLargestCount = 9007199254740992.0;  // 2^53, the last that a double counts to
+constexpr double kLargestCount = 9007199254740992.0;  // 2^53, the last integer that a double counts to
 
 /// Writes numbers one after the other.
 class Writer {
@@ -33,7 +33,7 @@ class Reader {
   template <class Number>
   void number(Number& value) {
     const double stored = next();
-    if constexpr (std::is_integral_v<Number>)  // all of them count
+    if constexpr (std::is_integral_v<Number>)  // all trials count
       if (!(stored >= 0.0 &&
             stored <= std::min(kLargestCount, static_cast<double>(std::numeric_limits<Number>::max()))))
         fail();
@@ -48,7 +48,8 @@ class Reader {
   }
   bool ended() const { return numbers_.empty(); }
   [[noreturn]] static void fail() {
-    throw Error("the checkpoint is not one of this program; run the experiment again from its beginning");
+    throw Error(
+        "the checkpoint comes from another version of this program; run the experiment again from its beginning");
   }
 
  private:
@@ -68,7 +69,7 @@ Phase phase_from(int number) {
   Reader::fail();
 }
 
-/// One description of what is kept, for both directions.
+/// The fields that are stored, for reading and writing.
 template <class Archive, class Count>
 void archive_counts(Archive& archive, Count& counts) {
   archive.number(counts.evaluations);
@@ -140,7 +141,7 @@ std::vector<double> save(const EeaState& state) {
   archive_models(writer, state.best);
   archive_models(writer, state.found);
   writer.number(state.least_surprise);
-  std::vector<double> set_aside;  // one a trial; 0: it counts
+  std::vector<double> set_aside;  // one per trial; 0: the trial counts
   for (const TargetTrial& trial : state.trials) set_aside.push_back(trial.set_aside_in.value_or(0));
   writer.list(set_aside);
   return std::move(writer.numbers);

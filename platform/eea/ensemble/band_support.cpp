@@ -28,7 +28,7 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Of shares, one a trial.
+/// Of shares, one per trial.
 Coverage coverage_of(const std::vector<double>& shares, std::uint64_t seed) {
   if (shares.empty()) return {};
   RandomStream random(std::array{seed});
@@ -42,7 +42,7 @@ Coverage coverage_of(const std::vector<double>& shares, std::uint64_t seed) {
   return {mean_of(shares), at(0.5 * (1.0 - kLevel)), at(0.5 * (1.0 + kLevel))};
 }
 
-/// The smallest factor under which 95 % of the readings lie, each trial weighing the same.
+/// The smallest factor under which 95 % of the readings lie; each trial has the same weight.
 double factor_of(const std::vector<Ratios>& trials) {
   std::vector<std::pair<double, double>> weighted;  // ratio, weight
   for (const Ratios& ratios : trials)
@@ -75,7 +75,7 @@ ChannelSupport channel_support(const std::vector<Ratios>& trials, std::uint64_t 
   return support;
 }
 
-/// A channel's ratios of all trials that measured it but one.
+/// A channel's ratios of all but one of the trials that measured it.
 std::vector<Ratios> of_channel(const std::vector<HeldOutTrial>& trials, std::size_t channel,
                                const HeldOutTrial* without = nullptr) {
   std::vector<Ratios> chosen;
@@ -84,7 +84,7 @@ std::vector<Ratios> of_channel(const std::vector<HeldOutTrial>& trials, std::siz
   return chosen;
 }
 
-/// All channels' ratios, a trial each; `factors`: of the channels' bands.
+/// All channels' ratios, one row per trial; `factors`: of the channels' bands.
 std::vector<double> all_of(const HeldOutTrial& trial, const std::vector<double>& factors) {
   std::vector<double> all;
   for (std::size_t c = 0; c < trial.ratios.size(); ++c)
@@ -92,7 +92,7 @@ std::vector<double> all_of(const HeldOutTrial& trial, const std::vector<double>&
   return all;
 }
 
-/// Factors of the channels that the other trials give.
+/// Factors of the channels, from the other trials.
 std::vector<double> factors_without(const std::vector<HeldOutTrial>& trials, const HeldOutTrial& trial) {
   std::vector<double> factors;
   for (std::size_t c = 0; c < trial.ratios.size(); ++c) {

@@ -11,32 +11,32 @@
 
 namespace lacuna {
 
-/// Whether 95 % bands hold what they promise, on trials that were new to the models at the time.
+/// Checks whether 95 % bands contain 95 % of the readings, on trials that were new to the models. With fewer trials a
+/// band cannot be checked.
 
 /// Fewer trials say nothing about a band.
 inline constexpr std::size_t kFewestHeldOut = 3;
 
-/// A trial that models predicted before they were fitted to it.
+/// A trial predicted by models before they were fitted to it.
 struct HeldOutTrial {
   int number = 0;  ///< of the trial within its run
-  int pass = 0;    ///< whose models predicted it
+  int pass = 0;    ///< pass whose models predicted it
   /// One a channel of the model's: of each reading |measured − mean| / half-width.
   std::vector<std::vector<double>> ratios = {};
 };
 
-/// A share with its 95 % interval, which a bootstrap over whole trials gives: readings of one trial are not
-/// independent.
+/// A share with its 95 % interval by a bootstrap over whole trials, because readings of one trial are not independent.
 struct Coverage {
   double share = kNotKnown, lower = kNotKnown, upper = kNotKnown;
 };
 
-/// What held-out trials say of the band of a channel; all trials weigh the same.
+/// How well held-out trials confirm the band of a channel; all trials have the same weight.
 struct ChannelSupport {
-  std::size_t trials = 0;    ///< that measured it
-  Coverage inside;           ///< readings within the band
-  double error = kNotKnown;  ///< root mean square of (measured − mean) / (half-width / 1.96); 1 where the band is right
-  double factor = kNotKnown;  ///< by which the band would hold 95 % of the readings; above 1 it is too narrow
-                              ///< infinite: none does, for it has no width where readings lie off it
+  std::size_t trials = 0;     ///< that measured it
+  Coverage inside;            ///< readings within the band
+  double error = kNotKnown;   ///< root mean square of (measured − mean) / (half-width / 1.96); 1 for a right band
+  double factor = kNotKnown;  ///< factor on the band's width with which 95 % of the readings lie inside; above 1 the
+                              ///< band is too narrow
 
   /// By which the band is to be wider: 1 where it is wide enough, where too few trials say so, or where none helps.
   double widening() const;
@@ -44,7 +44,7 @@ struct ChannelSupport {
 
 struct BandSupport {
   std::vector<HeldOutTrial> trials;
-  std::vector<ChannelSupport> channels;  ///< one a channel of the model's
+  std::vector<ChannelSupport> channels;  ///< one per channel of the model's
   ChannelSupport all;                    ///< the readings of all channels together
   /// Readings within the widened bands, each trial's with factors that the other trials alone gave.
   Coverage widened;
@@ -52,15 +52,16 @@ struct BandSupport {
   bool enough() const { return all.trials >= kFewestHeldOut; }
 };
 
-/// How far each reading lies from the mean, in half-widths: `HeldOutTrial::ratios`. `map`: channel of the band's, for
-/// each of the trial's. What was not measured is left out; what lies off a band without width is infinitely far.
+/// Distance of each reading from the mean in half-widths: `HeldOutTrial::ratios`. `map`: channel of the band for each
+/// channel of the trial. Channels that were not measured are left out; readings outside a band of zero width are
+/// infinitely far.
 std::vector<std::vector<double>> band_ratios(const EnsembleBand& band, const Trial& trial,
                                              const std::vector<Eigen::Index>& map);
 
-/// `seed`: of the bootstrap. Each trial has as many channels as the others.
+/// `seed`: of the bootstrap. All trials have the same number of channels.
 BandSupport support_of(std::vector<HeldOutTrial> trials, std::uint64_t seed = 1);
 
-/// Makes each channel as wide as its support says.
+/// Widens each channel by the factor of its support.
 void widen(EnsembleBand& band, const BandSupport& support);
 
 }  // namespace lacuna

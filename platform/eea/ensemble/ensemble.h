@@ -8,8 +8,8 @@
 
 namespace lacuna {
 
-/// Of models that are sorted, best first, `count` that differ, as indices: the best of each structure and restart, best
-/// first, then the best of those that are left, copies that no simulation tells apart last. Fewer where there are
+/// Chooses `count` different models from models sorted best first, as indices: the best of each structure and restart,
+/// best first, then the best of the others; copies that no simulation can distinguish come last. Fewer where there are
 /// fewer.
 std::vector<std::size_t> differing(const std::vector<KnownModel>& models, std::size_t count,
                                    const Phenotypes& phenotypes);

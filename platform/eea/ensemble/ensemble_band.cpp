@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-/// What a standard deviation between so many models is multiplied by.
+/// Factor on the standard deviation between this number of models.
 double spread_factor(std::size_t models) {
   const auto count = static_cast<double>(models);
   const double t = within_95_of_students_t(count - 1.0);

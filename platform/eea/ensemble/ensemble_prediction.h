@@ -15,12 +15,12 @@ struct PassEnsemble {
   int pass = 0;
   std::vector<std::uint64_t> numbers;  ///< of the models within their run
   std::vector<ModelProposal> models;
-  std::size_t copies = 0;     ///< of these, which were left out: two alike are no two witnesses
-  std::size_t refuted = 0;    ///< left out because they explain those trials much worse than the best
-  std::vector<double> noise;  ///< standard deviation of a reading, one a channel; not finite where it is not known
+  std::size_t copies = 0;     ///< number of copies that were left out: two equal models are one prediction
+  std::size_t refuted = 0;    ///< number of models left out because they explain those trials much worse than the best
+  std::vector<double> noise;  ///< standard deviation of a reading, one per channel; not finite where it is not known
 };
 
-/// Adds a model unless it is a copy of one that is there, as far as a simulation can tell.
+/// Adds a model unless a simulation cannot distinguish it from one already here.
 void add_unless_copy(PassEnsemble& ensemble, std::uint64_t number, ModelProposal model, const Phenotypes& phenotypes);
 
 /// A model that cannot carry a test out.
@@ -29,32 +29,32 @@ struct LostModel {
   std::string reason;
 };
 
-/// What an ensemble says of a test.
+/// The prediction of a test by an ensemble.
 struct EnsemblePrediction {
   Eigen::VectorXd times;          ///< s
   std::vector<Channel> channels;  ///< of the model's sensors
-  EnsembleBand band;              ///< of no size where all models are lost
-  std::size_t models = 0;         ///< that carried the test out
+  EnsembleBand band;              ///< of size zero where no model could carry the test out
+  std::size_t models = 0;         ///< models that carried the test out
   std::vector<LostModel> lost;
 };
 
-/// When a trial was measured, s.
+/// Sample times of a trial, s.
 std::vector<double> sampled_at(const ScoredTrial& scored);
 
-/// A trial's test with the start that the trial states.
+/// A trial's test with the initial state that the trial states.
 Test as_carried_out(const ScoredTrial& observed);
 
 /// `times`: when sensors are read, s; the test begins at `start`. Each model is driven by the test's controller, which
-/// answers to that model, or by its commands. The result does not depend on `threads`.
+/// responds to that model, or by its commands. The result does not depend on `threads`.
 EnsemblePrediction predict_test(const EeaDefinition& definition, const PassEnsemble& ensemble, const Test& test,
                                 const std::vector<double>& times, int threads, double start = 0.0);
 
-/// The noise of a reading, one a channel of the model's (`ReadingNoise`): what the trials that an ensemble was fitted
-/// to declare, or else what the best model leaves of them. Counts the steps taken onto `steps`.
+/// The noise of a reading, one per channel of the model's (`ReadingNoise`): as the trials declare it that the ensemble
+/// was fitted to, else from the residual of the best model on them. Adds the steps taken to `steps`.
 std::vector<double> noise_of_readings(const EeaDefinition& definition, const ModelProposal& best,
                                       const std::vector<ScoredTrial>& fitted, std::uint64_t& steps);
 
-/// A trial that the ensemble was not fitted to, whole; without a ratio where no model can carry it out.
+/// A whole trial that the ensemble was not fitted to; without ratios where no model can carry it out.
 HeldOutTrial held_against(const EeaDefinition& definition, const PassEnsemble& ensemble, int number,
                           const ScoredTrial& observed);
 

@@ -11,14 +11,14 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMove = 1e-3;       // of a free value's range, for a slope
-constexpr double kFlatPrior = 12.0;  // the inverse of the variance of what lies anywhere within 0 ... 1
+constexpr double kMove = 1e-3;       // of a free value's range, the step of a slope
+constexpr double kFlatPrior = 12.0;  // the inverse of the variance of a value anywhere within 0 ... 1
 
-/// How far a value moves for its slope, in ranges: towards the middle, which it always can, and a whole step where
-/// nothing less counts. 0: it cannot move.
+/// Step of a value for its slope, in ranges: towards the middle, where there is always room, and a whole step for
+/// integers. 0: the value cannot move.
 double move_of(const FreeValue& value, double at, const EngineSettings& engine) {
   const double range = value.upper - value.lower;
-  if (!std::isfinite(range) || range <= 0.0 || std::isnan(at)) return 0.0;  // not known: of an absent effect
+  if (!std::isfinite(range) || range <= 0.0 || std::isnan(at)) return 0.0;  // unknown: the value of an absent effect
   const double move = counts_in_steps(value, engine) ? std::max(kMove, engine.step / range) : kMove;
   if (move > 0.5) return 0.0;
   return at < value.lower + 0.5 * range ? move : -move;
@@ -31,8 +31,8 @@ std::vector<double> moves_of(const ModelProposal& model, const ModelDefinition& 
   return moves;
 }
 
-/// What a trial tells of the values: products of the deviations that each one's whole range would make, in those
-/// readings that were measured. `map`: channel of the prediction's, for each of the trial's.
+/// Information of a trial on the values: products of the deviations that each value's whole range would cause in the
+/// measured readings. `map`: channel of the prediction for each of the trial's.
 Eigen::MatrixXd information_in(const TestPrediction& prediction, const Trial& trial,
                                const std::vector<Eigen::Index>& map, const std::vector<double>& noise) {
   const auto values = static_cast<Eigen::Index>(prediction.slopes.size());
@@ -61,7 +61,7 @@ Judges::Judges(const EeaDefinition& definition, int threads, const EeaState& sta
     judges_.push_back({state.best[i].model});
   const std::vector<ScoredTrial> trials = scored_trials(definition_, state);
   if (!judges_.empty()) noise_ = noise_of_readings(definition_, judges_.front().model, trials, steps_);
-  std::replace(noise_.begin(), noise_.end(), 0.0, kInfinity);  // what never moved tells nothing
+  std::replace(noise_.begin(), noise_.end(), 0.0, kInfinity);  // a channel that never moved gives no information
   if (!definition_.value.wants_slopes()) return;
   for (Judge& judge : judges_) find_information(trials, judge);
 }

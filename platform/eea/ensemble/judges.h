@@ -13,27 +13,27 @@
 
 namespace lacuna {
 
-/// Models that judge tests, with what the trials so far say of the sensors' noise and, where the experiment's test
-/// fitness asks for it, of the models' free values. Const and shared by threads, each with a worker of its own.
+/// Models that judge tests, with the information of the trials so far on the sensors' noise and, where the experiment's
+/// test fitness needs it, on the models' free values. Const and shared by threads, each with its own worker.
 class Judges {
  public:
-  /// The ensemble of the state's last estimation phase, as many as the test fitness takes. Definition and
-  /// state must outlive it; simulates on `threads` threads.
+  /// The ensemble of the state's last estimation phase, as many models as the test fitness takes. Definition and state
+  /// must outlive it; simulates on `threads` threads.
   Judges(const EeaDefinition& definition, int threads, const EeaState& state);
 
   std::size_t size() const { return judges_.size(); }
   int workers() const { return predictor_.workers(); }
-  /// That it took to find out what the trials say.
+  /// Taken to evaluate the trials.
   std::uint64_t steps() const { return steps_; }
-  /// Fills one prediction a judge, whose memory is reused, and counts the steps taken onto `steps`. False: a judge
-  /// cannot carry the test out; `reason` says why.
+  /// Fills one prediction per judge, reusing memory, and adds the steps taken to `steps`. False: a judge cannot carry
+  /// the test out; `reason` says why.
   bool predict(const Test& test, int worker, std::span<TestPrediction> predictions, std::uint64_t& steps,
                std::string& reason) const;
 
  private:
   struct Judge {
     ModelProposal model;
-    std::vector<double> moves = {};  ///< of each free value for its slope, in ranges; 0: it cannot move
+    std::vector<double> moves = {};  ///< step of each free value for its slope, in ranges; 0: it cannot move
     Eigen::MatrixXd information = {};
   };
 

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLeastShare = 1e-3;  // of what a channel moves through, or stands at
+constexpr double kLeastShare = 1e-3;  // of a channel's range or constant value
 
 }  // namespace
 

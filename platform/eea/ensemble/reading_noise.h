@@ -7,16 +7,16 @@
 
 namespace lacuna {
 
-/// Finds out how large the noise of each sensor channel is: what trials declare, or else the root mean square of what
-/// the best model leaves of them, then at least a thousandth of what the channel moves through or stands at.
+/// Estimates the noise of each sensor channel: as trials declare it, else the RMS residual of the best model, then at
+/// least a thousandth of the channel's range or constant value.
 class ReadingNoise {
  public:
   explicit ReadingNoise(std::size_t channels) : channels_(channels) {}
 
-  /// A trial and what the best model says of it, as long as it. `map`: channel of the model's, for each of the trial's.
+  /// A trial and the best model's prediction, of equal length. `map`: channel of the model for each of the trial's.
   void add(const Trial& trial, const std::vector<Eigen::Index>& map, const TimeSeries& predicted);
-  /// Standard deviations in the channels' units; infinite for a channel that no trial measured, 0 for one that
-  /// always read 0 where the model says so.
+  /// Standard deviations in the channels' units; infinite for a channel that no trial measured, 0 for one that always
+  /// read 0 as the model predicts.
   std::vector<double> deviations() const;
 
  private:

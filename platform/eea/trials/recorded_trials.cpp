@@ -16,7 +16,7 @@ bool states_its_start(const Trial& trial) {
                      [](const InitialValue& value) { return value.knowledge == InitialKnowledge::given; });
 }
 
-/// From here on the trial states what was read off its head, which is masked.
+/// From here on the trial states its initial state, estimated from its first samples, which are masked.
 void fix_start(Trial& trial, const StartState& start) {
   trial.initial.resize(start.positions.size());
   for (std::size_t c = 0; c < trial.initial.size(); ++c) {
@@ -38,8 +38,8 @@ Trial with_known_start(const EeaDefinition& definition, Trial trial) {
 std::vector<TargetTrial> recorded_trials(const EeaDefinition& definition, std::vector<Trial> trials) {
   if (std::any_of(trials.begin(), trials.end(), [](const Trial& trial) { return trial.closed_loop; }))
     throw Error(
-        "target.drive is \"controllers\", but lacuna run drives models by the recorded commands; run with "
-        "--set 'target.drive=\"commands\"'");
+        "target.drive is \"controllers\", but lacuna run drives models with the recorded commands; run with --set "
+        "'target.drive=\"commands\"'");
   const TrialPredictor predictor(*definition.compiled, trials, 1);
   const RobotSpec& robot = definition.model.structure.robot;
   const StartStates states(robot, predictor, sensor_noise(robot, predictor.trials()));
