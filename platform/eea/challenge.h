@@ -9,8 +9,8 @@ namespace lacuna {
 /// Managed challenge (J. Bongard, H. Lipson: tests that are too hard for the present models are set aside and come
 /// back): keeps a trial that no present model can explain from spoiling their progress.
 
-/// Of a trial that has just been carried out: the score of the best model so far on as much of it as of the trials that
-/// it was fitted to. Not known where there is no model or it cannot be simulated.
+/// Surprise of a trial that has just been carried out: score of the best model so far on as much of it as of the trials
+/// that it was fitted to. Not known where there is no model or it cannot be simulated.
 double surprise_of(const EeaRun& run, EeaState& state, const TargetTrial& trial);
 
 /// Sets the newest trial aside where its surprise exceeds the experiment's `challenge` times the best model's score on

@@ -9,12 +9,12 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTolerance = 3e-4;  ///< nats that a step gains
-constexpr double kPromised = 3e-5;   ///< nats, less than which a step is not tried for
+constexpr double kTolerance = 3e-4;  ///< nats by which a step must lower the cost
+constexpr double kPromised = 3e-5;   ///< nats: a step with less predicted gain is not tried
 constexpr double kLeastDamping = 0.01, kMostDamping = 100.0;
-constexpr double kPull = 3e-4;         ///< nats, that a value costs at a range's distance from where it starts
-constexpr double kPullOfTiming = 0.1;  ///< nats, the same of when commands act, which a delay does as well
-constexpr double kMoreDamping = 10.0;  ///< times, after a step that led to nothing
+constexpr double kPull = 3e-4;         ///< nats, penalty of a value at a distance of one range from its start
+constexpr double kPullOfTiming = 0.1;  ///< nats, the same for the timestamp offset, which acts like a delay
+constexpr double kMoreDamping = 10.0;  ///< factor on the damping after a step that failed
 
 class Descent {
  public:
@@ -50,7 +50,7 @@ class Descent {
   }
 
  private:
-  /// The derivatives that a like model has; those by other values are to be found.
+  /// The derivatives taken from a similar model; those by other values must be computed.
   void take(const LikeModel& like, const std::vector<std::string>& names) {
     stays_.assign(static_cast<std::size_t>(space_.size()), false);
     for (std::size_t k = 0; k < residuals_.size(); ++k) {
@@ -77,15 +77,16 @@ class Descent {
     return of_way + cost_at(ladder_.layout, products, Eigen::VectorXd::Zero(products.values())).cost;
   }
 
-  /// What hardly matters belongs where it starts: of two values that act alike, the wider stays free.
+  /// Values that hardly matter stay at their start: of two values with the same influence, the one with the wider range
+  /// stays free.
   StepBounds bounds_at(const Eigen::VectorXd& values) const {
     const Eigen::ArrayXd range = space_.upper() - space_.lower();
-    Eigen::VectorXd pull = (range > 0.0).select(kPull / range.square(), 0.0);  // of what cannot move nothing
+    Eigen::VectorXd pull = (range > 0.0).select(kPull / range.square(), 0.0);  // of a value that cannot move, none
     if (predictions_.fits_timing()) pull.tail(1) *= kPullOfTiming / kPull;
     return {space_.lower() - values, space_.upper() - values, {}, space_.start() - values, pull};
   }
 
-  /// The step to where the least cost is to first order; nothing where that gains hardly anything.
+  /// The step to the smallest first-order cost; nothing where its gain is too small.
   std::optional<Eigen::VectorXd> next_step(double damping) const {
     const StepBounds bounds = bounds_at(fit_.point.values);
     const LinearCost best = least_cost(ladder_.layout, linear_.products, bounds, damping);
@@ -100,7 +101,7 @@ class Descent {
     return {values, moved_starts(ladder_, linear_, values - fit_.point.values)};
   }
 
-  /// With the derivatives by starts of the point before.
+  /// With the derivatives by initial states from the previous point.
   double cost_at_point(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals) const {
     std::vector<LinearStretch> stretches(linear_.stretches.size());
     for (std::size_t k = 0; k < stretches.size(); ++k) {
@@ -111,7 +112,8 @@ class Descent {
     return cost_of(point.values, whitened_products(ladder_, stretches));
   }
 
-  /// Steps until one gains hardly anything. False: the derivatives of a like model led nowhere, or steps ran out.
+  /// Steps until the gain is too small. False: the derivatives of a similar model led nowhere, or the number of steps
+  /// ran out.
   bool go_down(int most) {
     double damping = 0.0;
     std::vector<Eigen::VectorXd> residuals;
@@ -144,8 +146,8 @@ class Descent {
   const ParameterSpace& space_;
   PredictionFit fit_;
   LinearPrediction linear_;
-  std::vector<Eigen::VectorXd> residuals_;  ///< at the point of the fit
-  std::vector<bool> stays_;                 ///< by value: its derivatives are those of a like model
+  std::vector<Eigen::VectorXd> residuals_;  ///< at the fitted point
+  std::vector<bool> stays_;                 ///< by value: whether its derivative comes from a similar model
 };
 
 }  // namespace

@@ -18,14 +18,15 @@ namespace lacuna {
 namespace {
 
 constexpr double kFirstStep = 1e-6;  ///< of a value's range
-constexpr double kWanted = 0.3;      ///< of the residual, that a difference changes predictions by
-constexpr double kTolerated = 10.0;  ///< a step whose change is off by less than this factor stays
+constexpr double kWanted = 0.3;      ///< of the residual: the change of predictions that a difference should make
+constexpr double kTolerated = 10.0;  ///< a step whose change is wrong by less than this factor is kept
 constexpr int kStepRounds = 4;
-constexpr double kSmaller = 0.3;       ///< of the residuals that a step was chosen for, below which it is too long
-constexpr double kFarSteps = 1e3;      ///< times the first step, from which on curvature is looked at
-constexpr double kLeastOfHalf = 0.35;  ///< of a step's change, that half of it makes where there is a derivative
-constexpr std::size_t kForSteps = 3;   ///< stretches of a length, by which steps are chosen
-constexpr double kStartStep = 0.3;     ///< standard deviations of a start
+constexpr double kSmaller = 0.3;   ///< of the residuals for which a step was chosen; below this the step is too long
+constexpr double kFarSteps = 1e3;  ///< times the first step, from which on curvature is checked
+constexpr double kLeastOfHalf =
+    0.35;  ///< of a step's change: half the step must make this share where a derivative exists
+constexpr std::size_t kForSteps = 3;  ///< stretches per length by which steps are chosen
+constexpr double kStartStep = 0.3;    ///< standard deviations of a start
 
 Eigen::VectorXd unknown_of(const PredictedStretch& stretch) {
   Eigen::VectorXd start(static_cast<Eigen::Index>(stretch.unknown.size()));
@@ -102,7 +103,7 @@ bool LadderPredictions::simulate(std::size_t k, const Eigen::VectorXd& values, c
                                 prediction);
     if (changed.reads_backwards) {
       prediction.valid = false;
-      prediction.reason = "the reading of a sensor falls where what it reads rises";
+      prediction.reason = "the reading of a sensor falls where the measured quantity rises";
       return false;
     }
     state = changed.start;
@@ -144,13 +145,13 @@ double LadderPredictions::size_on_few(const std::vector<Eigen::VectorXd>& residu
   return std::max(1.0, root_mean_square(here));
 }
 
-/// The way to go from a value that changes predictions by about the wanted share of the residuals, found on a few
-/// stretches. False: it has no derivative, since half the way changes predictions by much less than half.
+/// The step of a value that changes predictions by about the wanted share of the residuals, found on a few stretches.
+/// False: the value has no derivative, because half the step changes predictions by much less than half.
 bool LadderPredictions::choose_step(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                                     Eigen::Index j) {
   std::vector<Eigen::VectorXd> moved;
   const double target = kWanted * size_on_few(residuals);
-  // On all stretches where the few show nothing: a limit may be reached in others.
+  // Uses all stretches where the few show no change: a limit may be reached in others.
   const auto change_on = [&](double way, const std::vector<std::size_t>& which) {
     Eigen::VectorXd values = point.values;
     values(j) += values(j) + way <= space_.upper()(j) ? way : -way;
@@ -250,7 +251,7 @@ void LadderPredictions::linearise_starts(const PredictionPoint& point, const std
   for (std::size_t k = 0; k < residuals.size(); ++k)
     linear.stretches[k].start = Eigen::MatrixXd::Zero(residuals[k].size(), point.starts[k].size());
   difference_starts(point, residuals, linear.stretches);
-  if (linear.stretches.empty() || linear.stretches.front().values.rows() == 0) return;  // not taken by values yet
+  if (linear.stretches.empty() || linear.stretches.front().values.rows() == 0) return;  // values not linearised yet
   put_residuals(point, residuals, linear.stretches);
   linear.products = whitened_products(ladder_, linear.stretches);
 }

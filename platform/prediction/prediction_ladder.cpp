@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kBlocks = 40;
 constexpr std::size_t kFolds = 3;
-constexpr double kShortestTrial = 0.7;       ///< of a length: a shorter trial says nothing of it
+constexpr double kShortestTrial = 0.7;       ///< of a length: shorter trials are left out
 constexpr std::size_t kFewestOfALength = 2;  ///< stretches
 
 /// Blocks of time by trial and sample.
@@ -49,8 +49,8 @@ void set_folds(const TimeBlocksOfTrials& blocks, CellLayout& layout) {
     layout.fold_of_block.push_back(trials >= kFolds ? blocks.trial_of_block[b] : b * kFolds / blocks.count);
 }
 
-/// Of a body in the air or on the ground, and where not every position is read, only where a recording begins do the
-/// readings around a sample tell the state.
+/// For a body in the air or on the ground, or if some position is not read, the readings determine the state only at
+/// the beginning of a recording.
 bool starts_at_the_beginning_alone(const LadderSource& source, std::size_t trial) {
   const auto floats = [](const JointSpec& joint) { return joint.kind == JointKind::free; };
   const std::vector<JointSpec>& joints = source.robot.joints;
@@ -87,7 +87,7 @@ PredictedStretch stretch_from(const LadderSource& source, const Stretch& stretch
   return result;
 }
 
-/// Each with the next one's first sample, its own end.
+/// Each stretch contains the first sample of the next one as its end.
 std::vector<Stretch> tiles(const LadderSource& source, double length) {
   std::vector<Stretch> all;
   const std::vector<Trial>& trials = source.predictor.trials();
@@ -110,7 +110,7 @@ std::vector<Stretch> spread(std::vector<Stretch> all, std::size_t most) {
   return kept;
 }
 
-/// Every joint's cells weigh the same in all.
+/// The cells of each joint have the same total weight.
 void set_weights(const RobotSpec& robot, PredictionLadder& ladder) {
   const std::vector<std::string> joints = joints_of(robot, ladder.noise);
   std::vector<bool> is_read(ladder.layout.cells.size(), false);
@@ -146,7 +146,8 @@ PredictionLadder ladder_of(const LadderSource& source, std::vector<double> lengt
     for (std::size_t c = 0; c < ladder.noise.size(); ++c) ladder.layout.cells.push_back({h, 0.0});
     for (const Stretch& stretch : spread(tiles(source, ladder.lengths[h]), most)) {
       PredictedStretch one = stretch_from(source, stretch, h, blocks.of_sample[stretch.trial], channel_index);
-      if (one.covariance.allFinite()) ladder.stretches.push_back(std::move(one));  // else the readings tell no start
+      if (one.covariance.allFinite())
+        ladder.stretches.push_back(std::move(one));  // false: the readings do not determine the start
     }
   }
   set_weights(source.robot, ladder);

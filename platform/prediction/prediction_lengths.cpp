@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t kLengths = 5;
 constexpr double kShortest = 10.0;     ///< samples
 constexpr double kMostOfStart = 0.25;  ///< of the motion's power
-constexpr double kMostPower = 0.1;     ///< rad², of the motion of a hinge: further turns tell nothing more
+constexpr double kMostPower = 0.1;     ///< rad²: more motion of a hinge than this adds no information
 constexpr std::size_t kTried = 12;     ///< lengths
 constexpr std::size_t kFewStretches = 24;
-constexpr double kLongest = 3000.0;   ///< samples
+constexpr double kLongest = 3000.0;   ///< samples: below this length a failed check does not end the search
 constexpr double kStillShort = 30.0;  ///< samples, below which a length that fails does not end the search
 
 double duration(const Trial& trial) {
@@ -40,7 +40,7 @@ std::vector<double> geometric(double first, double last, std::size_t count) {
   return lengths;
 }
 
-/// Variance of the readings of a channel in a stretch, over that of a reading.
+/// Variance of a channel's readings in a stretch, over that of the reading noise.
 double power_of(const PredictedStretch& stretch, const TimeSeries& measured, const ChannelNoise& noise,
                 std::size_t channel) {
   double sum = 0.0, squares = 0.0, count = 0.0;
@@ -57,7 +57,8 @@ double power_of(const PredictedStretch& stretch, const TimeSeries& measured, con
   return variance / (noise.deviation * noise.deviation);
 }
 
-/// Whether the starts leave predictions of the one length of this ladder their meaning, in every channel that moves.
+/// Whether the uncertainty of the initial states is small enough at the single length of this ladder, in every channel
+/// that moves.
 bool means_something(const PredictionLadder& ladder, const std::vector<LinearStretch>& stretches,
                      const std::vector<Trial>& trials) {
   for (std::size_t channel = 0; channel < ladder.noise.size(); ++channel) {

@@ -6,11 +6,11 @@
 
 namespace lacuna {
 
-inline constexpr std::size_t kDecidingLengths = 3;  ///< of all lengths, the shortest, which are asked first
+inline constexpr std::size_t kDecidingLengths = 3;  ///< of all lengths, the shortest, which decide first
 
-/// Lengths of prediction, s: five, geometric, from ten samples to where the start's uncertainty makes a quarter of the
-/// motion's power in one of the joints. `values`: of the model by which the share of the starts is computed. Empty
-/// where no length can be simulated.
+/// Lengths of prediction, s: five, geometric, from ten samples to the length at which the uncertainty of the initial
+/// state is a quarter of the motion's power in one of the joints. `values`: of the model by which this share is
+/// computed. Empty where no length can be simulated.
 std::vector<double> prediction_lengths(const LadderSource& source, const ParameterSpace& space,
                                        const std::vector<double>& values);
 

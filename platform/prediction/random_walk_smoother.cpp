@@ -17,11 +17,11 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr std::size_t kMostToSize = 4000;  ///< readings by which sizes are found
+constexpr std::size_t kMostToSize = 4000;  ///< readings from which the sizes are estimated
 constexpr std::size_t kStretches = 8;
-constexpr double kFarthest = 10.0;  ///< standard deviations of an innovation that counts whole
-constexpr double kVague = 1e4;      ///< of a start: times what the readings span
-constexpr int kSizeRounds = 3;      ///< of the search, one size after the other
+constexpr double kFarthest = 10.0;  ///< standard deviations of an innovation that counts fully
+constexpr double kVague = 1e4;      ///< of the initial state: times the range of the readings
+constexpr int kSizeRounds = 3;      ///< of the search; one pass estimates each size once
 constexpr int kSections = 24;       ///< of a golden section
 
 /// log of noise and jerk.
@@ -43,12 +43,12 @@ Matrix growth(double h, double jerk) {
   return jerk * jerk * q;
 }
 
-/// The filter's state, which a reading of one of its components sharpens.
+/// The filter's state, updated by a reading of one of its components.
 struct Belief {
   Vector mean = Vector::Zero();
   Matrix covariance = Matrix::Zero();
 
-  /// Adds what the reading costs to −2 log likelihood.
+  /// Adds the contribution of the reading to −2 log likelihood.
   void take(int component, double value, double noise, double& cost) {
     const double variance = covariance(component, component) + noise * noise;
     const double off = value - mean(component), deviation = std::sqrt(variance);
@@ -83,7 +83,7 @@ class Smoother {
     has_positions_ = count_of(readings.positions) > 0;
     has_velocities_ = count_of(readings.velocities) > 0;
     if (count_of(readings.positions) + count_of(readings.velocities) < 5)
-      throw Error("fewer than five readings tell a coordinate");
+      throw Error("fewer than five readings of a coordinate");
     const double span = readings.times.back() - readings.times.front();
     interval_ = span / static_cast<double>(readings.times.size() - 1);
     position_scale_ = std::max(deviation_of(readings.positions), deviation_of(readings.velocities) * interval_);
@@ -106,7 +106,8 @@ class Smoother {
     const double position = kVague * std::max(position_scale_, 1e-12);
     belief.covariance.diagonal() << position * position, std::pow(position / (100.0 * interval_), 2),
         std::pow(position / (100.0 * interval_ * interval_), 2);
-    if (!has_positions_) belief.covariance(0, 0) = 0.0;  // it is nowhere told, and counted from the start
+    if (!has_positions_)
+      belief.covariance(0, 0) = 0.0;  // the position is measured nowhere, and is counted from the start
     return belief;
   }
 
@@ -117,7 +118,7 @@ class Smoother {
       belief.take(1, readings_.velocities[i], std::exp(sizes.velocity), cost);
   }
 
-  /// Over stretches spread through the motion: its beginning may be at rest.
+  /// Over stretches spread through the motion, because its beginning may be at rest.
   double cost_of(const Sizes& sizes) const {
     const std::size_t size = readings_.times.size();
     const std::size_t stretches = size > kMostToSize ? kStretches : 1, length = std::min(size, kMostToSize) / stretches;
@@ -139,7 +140,7 @@ class Smoother {
     belief.covariance = f * belief.covariance * f.transpose() + growth(h, std::exp(sizes.jerk));
   }
 
-  /// One size after the other, each by golden section about the best so far.
+  /// One size after the other, each by golden section around the best so far.
   void find_sizes() {
     sizes_.position = std::log(std::max(1e-3 * position_scale_, 1e-15));
     sizes_.velocity = std::log(std::max(1e-2 * velocity_scale_, 1e-15));
@@ -162,7 +163,7 @@ class Smoother {
       tried.*size = value;
       return cost_of(tried);
     };
-    // A likelihood of one size has one top, but far from it may be flat or fail: a grid first.
+    // The likelihood of one size has one maximum but may be flat or fail far from it, so a grid comes first.
     constexpr int kGrid = 9;
     double best = low, best_cost = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kGrid; ++i) {
@@ -223,7 +224,7 @@ class Smoother {
     return motion;
   }
 
-  static constexpr std::size_t kRunIn = 4;  ///< readings that tell the start
+  static constexpr std::size_t kRunIn = 4;  ///< readings that determine the start
 
   CoordinateReadings readings_;
   bool has_positions_ = false, has_velocities_ = false;
@@ -236,7 +237,7 @@ class Smoother {
 /// With the mean interval as the unit of time the three parts of a state are of one size, and their covariances keep
 /// their digits.
 SmoothedMotion smooth_motion(const CoordinateReadings& readings) {
-  if (readings.times.size() < 2) throw Error("fewer than five readings tell a coordinate");
+  if (readings.times.size() < 2) throw Error("fewer than five readings of a coordinate");
   const double unit = (readings.times.back() - readings.times.front()) / static_cast<double>(readings.times.size() - 1);
   std::vector<double> times, velocities;
   for (const double time : readings.times) times.push_back(time / unit);

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// Standard deviations of readings: as declared, else as the smoother found them, else as `noise` has them.
+/// Standard deviations of readings: as declared, else as found by the smoother, else from `noise`.
 std::vector<ChannelNoise> noise_of_readings(const SmoothedStarts& starts, const std::vector<Trial>& trials,
                                             std::vector<ChannelNoise> noise);
 

@@ -4,7 +4,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kMostMoves = 3;             ///< of the starts
-constexpr double kNoLonger = 1.0 - 1e-3;  ///< of what is left, from which on a move is the last
+constexpr double kNoLonger = 1.0 - 1e-3;  ///< of the residual: a smaller move is the last one
 
 LinearPrediction by_starts_alone(LadderPredictions& predictions, const PredictionPoint& point,
                                  const std::vector<Eigen::VectorXd>& residuals) {

@@ -6,9 +6,10 @@
 
 namespace lacuna {
 
-/// What a model with these values leaves, by cell of the ladder: mean squares of whitened residuals, so that 1 is what
-/// reading noise and unknown starts leave of a right model. Starts move to where they leave least; values stay. 0 where
-/// a cell has no readings; nothing where a stretch cannot be simulated. `values`: coordinates.
+/// Residuals of a model with these values, by cell of the ladder: mean squares of whitened residuals, so that 1 is the
+/// level of reading noise and unknown initial states for a right model. The initial states move to the smallest
+/// residual; the values stay. 0 where a cell has no readings; nothing where a stretch cannot be simulated. `values`:
+/// coordinates.
 std::optional<Eigen::VectorXd> settled_errors(LadderPredictions& predictions, const Eigen::VectorXd& values);
 
 }  // namespace lacuna

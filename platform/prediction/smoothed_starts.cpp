@@ -53,7 +53,7 @@ double SmoothedStarts::reading_noise(std::size_t trial, Eigen::Index channel) co
   return noise_[trial][static_cast<std::size_t>(channel)];
 }
 
-/// From the sample that is nearest, by its acceleration.
+/// From the nearest sample, extrapolated with its acceleration.
 SmoothedStarts::Change SmoothedStarts::change_within(std::size_t trial, Eigen::Index sample,
                                                      const SmoothedMotion& motion, double seconds) const {
   const Eigen::VectorXd& times = trials_[trial].measured.times;

@@ -7,8 +7,8 @@ namespace lacuna {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kNudge = 1e-4;  ///< rad or m, by which the slope of a reading is found
-constexpr double kSame = 1e-9;   ///< of a reading, rad or m: the model changes nothing of it
+constexpr double kNudge = 1e-4;  ///< rad or m, step for the slope of a reading
+constexpr double kSame = 1e-9;   ///< of a reading, rad or m: within this the model's sensor is ideal
 constexpr double kFlattest = 0.2, kSteepest = 5.0;
 
 /// The first sample alone, which needs no step of the stretch.
@@ -26,7 +26,7 @@ class FirstReading {
     return prediction_.valid ? prediction_.samples(0, reading_.channel) : std::nan("");
   }
 
-  /// What a plain sensor reads.
+  /// The value that an ideal sensor reads.
   double plain(const StartState& start, int coordinate) const {
     double value = component(start, coordinate);
     for (const auto& [other, sign] : reading_.others) value += sign * component(start, other);
@@ -39,7 +39,7 @@ class FirstReading {
   Prediction& prediction_;
 };
 
-/// Whether the reading does not run backwards.
+/// Whether the reading increases with the measured coordinate.
 bool follow_reading(const ReadStart& read, const StartStates::Reading& reading, int coordinate,
                     const StartState& smoothed, StartState& start, Prediction& prediction) {
   const FirstReading first(read, reading, prediction);
@@ -58,7 +58,7 @@ bool follow_reading(const ReadStart& read, const StartStates::Reading& reading, 
   return true;
 }
 
-/// The last sample before what is read first of all happened, so that it is predicted from no later reading.
+/// The last sample before the event that is read first, so that it is predicted from no later reading.
 Eigen::Index before_it_happened(const ReadStart& read, const std::vector<double>& lateness, Eigen::Index earliest) {
   const Eigen::VectorXd& times = read.predictor.trials()[read.stretch.trial].measured.times;
   const double begin = times(read.stretch.first) - *std::max_element(lateness.begin(), lateness.end());
@@ -67,7 +67,7 @@ Eigen::Index before_it_happened(const ReadStart& read, const std::vector<double>
   return at;
 }
 
-/// A warm-up that begins at a sample, and arrives about where the stretch starts.
+/// A warm-up that begins at a sample and reaches about the state at which the stretch starts.
 void lead_to(const StartState& start, const ReadStart& read, const std::vector<double>& lateness, WarmUp& warm_up) {
   const std::size_t trial = read.stretch.trial;
   const Eigen::VectorXd& times = read.predictor.trials()[trial].measured.times;
@@ -88,7 +88,7 @@ void lead_to(const StartState& start, const ReadStart& read, const std::vector<d
   }
 }
 
-/// Coordinates that are late by half an interval and more go on from the warm-up.
+/// Coordinates whose readings are late by half an interval or more continue from the warm-up.
 void leave_to_warm_up(const ReadStart& read, const std::vector<double>& lateness, StartState& start) {
   const StartStates& states = read.starts.states();
   const Eigen::VectorXd& times = read.predictor.trials()[read.stretch.trial].measured.times;

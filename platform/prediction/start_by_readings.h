@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// Where a prediction of a model begins that changes what sensors read.
+/// The initial state of a prediction for a model that changes sensor readings.
 struct ReadStart {
   const SmoothedStarts& starts;
   const TrialPredictor& predictor;
@@ -16,19 +16,19 @@ struct ReadStart {
   int worker;
 };
 
-/// Where a prediction begins, and what is simulated before it.
+/// The start of a prediction, and the warm-up that is simulated before it.
 struct ChangedStart {
   StartState start;
   std::optional<WarmUp> warm_up;
-  bool reads_backwards = false;  ///< a reading falls where what it reads rises: no sensor does that
+  bool reads_backwards = false;  ///< a reading falls where the measured coordinate rises, as with no real sensor
 };
 
-/// The start from which the model's first readings are what plain sensors would read at `start`: of a sensor that is
-/// off by 0.1 rad the joint stands 0.1 rad further. What a sensor that is late by 10 ms reads first happened 10 ms
-/// before: from half a sample on its coordinate begins there, in the warm-up, so that it is predicted over as long a
-/// time as any other; its start is NaN then. Below, and without a warm-up, it begins where its readings are 10 ms
-/// later. Velocities follow the slope of the reading. A coordinate whose reading does not follow it (of a saturated
-/// sensor) stays. `prediction` is used for the simulations.
+/// The start at which the model's first readings equal those of ideal sensors at `start`: with a sensor offset of 0.1
+/// rad the joint stands 0.1 rad further. The first reading of a sensor with a delay of 10 ms shows the state 10 ms
+/// earlier. For delays from half a sample on, the coordinate begins there, in the warm-up, so that it is predicted over
+/// as long a time as any other; its value at the start is then NaN. For smaller delays, and without a warm-up, it
+/// begins at its readings of 10 ms later. Velocities follow the slope of the reading. A coordinate whose reading does
+/// not follow it (saturated sensor) stays. `prediction` runs the simulations.
 ChangedStart start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction);
 
 }  // namespace lacuna

@@ -4,13 +4,13 @@
 
 namespace lacuna {
 
-/// P⁻¹ in coordinates that are one standard deviation each, with what they are divided by.
+/// P⁻¹ in coordinates scaled to one standard deviation each, with the scale factors.
 struct StartPrior {
   Eigen::VectorXd deviation;
-  Eigen::MatrixXd precision;  ///< of start over deviation
+  Eigen::MatrixXd precision;  ///< start over deviation
 };
 
-/// `covariance`: of the unknown components of a start, SI. Its correlation gets 1e-9 more on the diagonal.
+/// `covariance`: of the unknown components of a start, SI. Adds 1e-9 to the diagonal of its correlation matrix.
 StartPrior prior_of(const Eigen::MatrixXd& covariance);
 
 }  // namespace lacuna

@@ -42,7 +42,7 @@ Eigen::MatrixXd WhitenedColumns::whitened(const Part& part, const Eigen::MatrixX
   return result;
 }
 
-/// What the start costs belongs to the first block.
+/// The cost of the start belongs to the first block.
 void WhitenedColumns::add_products(const Part& part, const Eigen::MatrixXd& columns, BlockProducts& products) {
   const auto size = static_cast<Eigen::Index>(part.rows.size());
   const auto of_start = columns.bottomRows(columns.rows() - size);
