@@ -37,7 +37,7 @@ Eigen::VectorXd beside_known(const AnewTask& task, const Candidate& best, const 
     if (!is_known(free[static_cast<std::size_t>(j)])) others.push_back(j);
   if (others.empty()) return known;
   task.meter.add_parts(1);
-  task.meter.begin_part(task.stage + ", beside the starts of effects");
+  task.meter.begin_part(task.stage + ", with the known starts of effects");
   task.problem.set_scales(best.scales);
   LeastSquaresOptions options;
   options.loss = task.loss;

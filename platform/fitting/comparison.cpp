@@ -141,7 +141,7 @@ class Comparer {
       } else {
         comparison.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
         comparison.residuals = comparison.predicted;
-        result_.notes.push_back(trial.name + " cannot be simulated and is not scored: " + run.prediction.reason);
+        result_.notes.push_back(trial.name + " cannot be simulated and has no score: " + run.prediction.reason);
       }
       result_.trials.push_back(std::move(comparison));
     }
@@ -169,11 +169,11 @@ class Comparer {
 
   void name_restarts() {
     if (std::ranges::any_of(result_.trials, [](const TrialComparison& trial) { return trial.pieces.size() > 1; }))
-      result_.notes.push_back(fmt::format(
-          "predictions start anew from the readings every {:g} s: recorded torques drive the robot and no controller "
-          "corrects it, so errors of longer predictions grow without bound. Where a controller made the torques, state "
-          "it in [target.controllers] with drive = \"controllers\" to predict whole recordings",
-          restart_));
+      result_.notes.push_back(
+          fmt::format("predictions restart from the readings every {:g} s, because recorded torques drive the robot "
+                      "without a controller and longer predictions diverge. If a controller made the torques, state it "
+                      "in [target.controllers] with drive = \"controllers\" to predict whole recordings",
+                      restart_));
   }
 
   void name_guessed_noise() {
@@ -196,11 +196,11 @@ class Comparer {
     for (const TrialComparison& trial : result_.trials)
       if (trial.valid && std::all_of(trial.channels.begin(), trial.channels.end(),
                                      [](const ChannelScore& score) { return score.samples == 0; }))
-        result_.notes.push_back(
-            fmt::format("{} is not scored: it has no measured value after the first {:g} ms, which tell its start",
-                        trial.trial, 1e3 * kHead));
+        result_.notes.push_back(fmt::format(
+            "{} has no score: it has no readings after the first {:g} ms, which determine the initial state",
+            trial.trial, 1e3 * kHead));
     if (std::none_of(result_.pooled.begin(), result_.pooled.end(), [](const auto& one) { return one.samples > 0; }))
-      throw Error(fmt::format("there is nothing to compare: {}; check the mask, the time ranges and the model",
+      throw Error(fmt::format("nothing to compare: {}; check the mask, the time ranges and the model",
                               fmt::join(result_.notes, "; ")));
   }
 
@@ -241,7 +241,7 @@ class Comparer {
       if (!score.held_out && score.numerical && *score.numerical > kCoarseSteps * compared)
         result_.notes.push_back(
             "the numerical error of " + score.channel +
-            " is not small beside its error and floor; set more engine.substeps, or 0 for as many as needed");
+            " is not small compared with its error and floor; set more engine.substeps, or 0 for automatic");
     }
   }
 
@@ -249,11 +249,11 @@ class Comparer {
   void name_worse_than_written() {
     for (const PooledScore& score : result_.pooled)
       if (!score.held_out && score.rmse > (1.0 + kNoticedRise) * score.rmse_as_written)
-        result_.notes.push_back(fmt::format(
-            "{}: the error after the fit is larger than as written: the fit minimises a robust error over the stage "
-            "that "
-            "fit.horizon names, not the RMSE of a free run (fit.loss = \"squared\" counts every reading by its square)",
-            score.channel));
+        result_.notes.push_back(
+            fmt::format("{}: the error after the fit is larger than with the values as written: the fit minimises a "
+                        "robust error over the horizon of fit.horizon, not the RMSE of a free run (fit.loss = "
+                        "\"squared\" counts every reading by its square)",
+                        score.channel));
   }
 
   void score_horizons() {

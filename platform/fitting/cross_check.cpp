@@ -18,7 +18,7 @@ std::string other_engine(const ModelDefinition& definition) {
   const std::string other = engine_for(definition.structure.robot);
   if (other == "ode")
     throw Error(
-        "there is no second engine to check with: bodies of this robot may touch the ground, which only ode can "
+        "no second engine is available for a check: bodies of this robot may touch the ground, which only ode can "
         "simulate");
   return other;
 }

@@ -36,8 +36,8 @@ std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
     if (!trial.held_out) kept.push_back(trial);
   if (kept.empty())
     throw Error(
-        "there is no trial to fit to: name a measured file that is not held out, or, where the target takes tests, "
-        "let lacuna run or lacuna trial make some");
+        "no trial to fit to: name a recorded file that is not held out; if the target takes tests, make trials with "
+        "lacuna run or lacuna trial");
   return kept;
 }
 
@@ -107,7 +107,7 @@ class Fitter {
         ++i;
         continue;
       }
-      result_.notes.push_back(stages[i].name + " hold too few samples to tell anything: left out");
+      result_.notes.push_back(stages[i].name + " hold too few samples and are left out");
       stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
@@ -118,10 +118,10 @@ class Fitter {
     stage.length = std::isfinite(horizon) ? horizon : 0.0;
     stage.name = stage.length > 0.0 ? fmt::format("segments of {:.3g} s (automatic horizon)", horizon) : "free run";
     if (stage.length > 0.0)
-      result_.notes.push_back(fmt::format(
-          "the last stage uses segments of {:.3g} s: up to this length, the uncertainty of an initial state "
-          "estimated over {:.3g} s stays below twice the noise",
-          horizon, head));
+      result_.notes.push_back(
+          fmt::format("the last stage uses segments of {:.3g} s: up to this length, the uncertainty of an initial "
+                      "state estimated over {:.3g} s stays below twice the noise",
+                      horizon, head));
   }
 
   /// Tries all starting points, on a part of the data where there is plenty.
@@ -142,8 +142,8 @@ class Fitter {
     std::vector<Segment> segments = thinned(make_segments(predictor_, *states_, length, current_values()), most);
     if (segments.empty())
       throw Error(
-          "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
-          "state has unknowns; check the mask, the time ranges and the columns");
+          "nothing to fit to: no stretch of the fit files has more readings than unknowns of its initial state; check "
+          "the mask, the time ranges and the columns");
     auto next = std::make_unique<ShootingProblem>(predictor_, space_, std::move(segments), result_.noise);
     if (problem_) next->set_steps(problem_->steps());
     finish_problem();
@@ -198,10 +198,10 @@ class Fitter {
     const std::vector<double> values = space_.to_values(candidates_.front().values);
     for (std::size_t i = 0; i < values.size(); ++i) result_.values[i].value = values[i];
     result_.stopped = true;
-    result_.notes.push_back(fmt::format(
-        "the fit did not converge: {} after {} of its stages; these are the best values so far ({:.3g} × the sensor "
-        "noise), without intervals. Run the command again with more time",
-        stopped_by_time_limit(), finished, candidates_.front().residual));
+    result_.notes.push_back(
+        fmt::format("the fit did not converge: {} after {} of its stages. These are the best values so far ({:.3g} × "
+                    "the sensor noise), without intervals; run the command again with more time",
+                    stopped_by_time_limit(), finished, candidates_.front().residual));
   }
 
   /// Where the values moved on the way, or away from what is known, other starts are tried once more.
@@ -288,11 +288,12 @@ class Fitter {
     take(is_further ? further : best, last);
     count_in(further);
     result_.notes.push_back(fmt::format(
-        "the stages disagree: over {}, which the fit minimises, {} fit better than where shorter segments led; the fit "
-        "{}",
+        "the stages disagree: over {}, which the fit minimises, {} fit better than the values from shorter segments; "
+        "the fit {}",
         last.length > 0.0 ? last.name : "whole trials", best.name,
-        is_further ? fmt::format("went on from them, to {:.3g} × the sensor noise", candidates_.front().residual)
-                   : "found nothing better from there and keeps them"));
+        is_further
+            ? fmt::format("continued from them and reached {:.3g} × the sensor noise", candidates_.front().residual)
+            : "found no better values from there and keeps them"));
   }
 
   void take(JudgedValues& winner, const PlannedStage& last) {
@@ -319,13 +320,14 @@ class Fitter {
     result_.correlation_time = known.correlation_time;
     result_.samples = problem_->samples();
     if (known.few_blocks)
-      result_.notes.push_back(fmt::format(
-          "the 95 % intervals are rough: residuals are correlated over {:.2g} s, and the trials are too short for {} "
-          "blocks of six times that, which would be nearly independent; shorter blocks are used; longer trials help",
-          known.correlation_time, known.blocks));
+      result_.notes.push_back(
+          fmt::format("the 95 % intervals are approximate: residuals are correlated over {:.2g} s, and the trials are "
+                      "too short for {} nearly independent blocks of six times that length, so shorter blocks are "
+                      "used; longer trials give better intervals",
+                      known.correlation_time, known.blocks));
     if (!best.search.converged)
       result_.notes.push_back(
-          fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",
+          fmt::format("the last stage stopped after {} iterations without convergence; raise fit.max_iterations",
                       best.search.iterations));
     enter_values({space_, task_.definition.free, best.values, known}, result_);
     for (std::string& sentence : drift_sentences(result_.stages, result_.values, task_.definition.free))
@@ -378,7 +380,7 @@ FitResult as_written(const ModelDefinition& definition) {
     result.values.push_back(value);
     if (free.own)
       result.notes.push_back(fmt::format(
-          "{} is not given: it starts at {}, the end of its range, because the robot's own value, {}, lies outside",
+          "{} has no start value: it starts at {}, the end of its range, because the robot's value, {}, lies outside",
           free.address, format_quantity(free.start, free.unit), format_quantity(*free.own, free.unit)));
   }
   const auto size = static_cast<Eigen::Index>(result.values.size());

@@ -51,7 +51,7 @@ std::vector<std::string> drift_sentences(const std::vector<FitStage>& stages, co
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!is_at_end(before.values[i], free[i]) && drifts(before.values[i], values[i]))
       sentences.push_back(
-          fmt::format("{} is {} {} but {} {}: a model that lacks nothing tells the same over any length",
+          fmt::format("{} is {} {} but {} {}: with a complete model the value does not depend on the length",
                       values[i].address, format_quantity(before.values[i], free[i].unit), over(before),
                       format_quantity(values[i].value, free[i].unit), over(stages.back())));
   return sentences;

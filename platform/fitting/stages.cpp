@@ -85,9 +85,8 @@ PlannedStage limited(PlannedStage last, const TrialPredictor& predictor, const S
       restart = std::min(restart, states.restart(trial));
   if (last.automatic || last.length > 0.0 || !(restart < longest_trial(predictor))) return last;
   notes.push_back(
-      fmt::format("fitted to predictions of {:g} s, not of whole trials: recorded torques drive the robot and no "
-                  "controller corrects "
-                  "it; fit.horizon = \"2 s\" says another length",
+      fmt::format("fitted to predictions of {:g} s instead of whole trials, because recorded torques drive the robot "
+                  "without a controller; choose another length with fit.horizon = \"2 s\"",
                   restart));
   return {fmt::format("segments of {:g} s", restart), restart, false};
 }
@@ -102,7 +101,8 @@ std::vector<PlannedStage> plan_stages(const FitSection& options, const TrialPred
     throw Error("fit.method is \"" + options.method + "\"; write \"multiple_shooting\" or \"free_run\"");
   const std::string obstacle = why_not_cut(predictor, states);
   if (!obstacle.empty()) {
-    notes.push_back("fitted by free run alone: start states inside a trial cannot be reconstructed (" + obstacle + ")");
+    notes.push_back("fitted by free run alone, because initial states inside a trial cannot be estimated (" + obstacle +
+                    ")");
     return {last_stage("whole")};
   }
   std::vector<PlannedStage> stages;

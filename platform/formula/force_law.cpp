@@ -79,7 +79,7 @@ class Roles {
 };
 
 void check_values(const Roles& roles, const std::map<std::string, double>& values, ProblemList& problems) {
-  constexpr const char* kWhy = "its fit begins there, and its bounds follow from it";
+  constexpr const char* kWhy = "the fit starts there and its bounds follow from it";
   for (const auto& [name, role] : roles.all()) {
     const SourceLocation place = formula_place(roles.column(name));
     const auto found = values.find(name);
@@ -88,8 +88,8 @@ void check_values(const Roles& roles, const std::map<std::string, double>& value
     else if (!can_start(found->second))
       problems.add(place, fmt::format("the value of {} must be a number other than 0; {}", name, kWhy));
     else if (role == Role::scale && found->second < 0.0)
-      problems.add(
-          place, fmt::format("{} divides or scales something and must stay positive; give it a positive value", name));
+      problems.add(place,
+                   fmt::format("{} divides or scales something and must be positive; give it a positive value", name));
   }
   std::vector<std::string> names;
   for (const auto& [name, role] : roles.all()) names.push_back(name);
@@ -103,9 +103,9 @@ void check_terms(const std::vector<RawTerm>& terms, ProblemList& problems) {
   for (const RawTerm& term : terms) {
     const std::string text = formula_text(term.rest());
     if (!can_start(term.number))
-      problems.add(formula_place(term.column), "the number of the term " + text +
-                                                   " must be finite and not 0: a fit begins there, and its bounds "
-                                                   "follow from it");
+      problems.add(formula_place(term.column),
+                   "the coefficient of the term " + text +
+                       " must be finite and not 0: the fit starts there and its bounds follow from it");
     if (!seen.emplace(text, term.column).second)
       problems.add(formula_place(term.column), "there are two terms with " + text + "; write one");
   }
@@ -139,7 +139,7 @@ class LawBuilder {
     return {name,  unit_of_factor(dimension_of(of)),
             start, -reach,
             reach, 0.0,
-            false, of.is_number() ? "A force that is always there" : "What multiplies " + formula_text(of)};
+            false, of.is_number() ? "A constant force" : "Coefficient of " + formula_text(of)};
   }
 
   void add_term(const RawTerm& raw, std::size_t count, ForceLaw& law) {
@@ -155,7 +155,7 @@ class LawBuilder {
       if (!declared(law, factor.name))
         law.parameters.push_back(multiplier(factor.name, values_.at(factor.name), left.rest()));
       if (std::abs(number) != 1.0)
-        law.notes.push_back(fmt::format("{} stays as it is in the term with {}; a fit changes {} alone",
+        law.notes.push_back(fmt::format("{} is constant in the term with {}; a fit changes {} alone",
                                         number_text(number), factor.name, factor.name));
     } else {
       factor.name = free_name(left.rest(), count);
@@ -187,7 +187,7 @@ class LawBuilder {
     if (known != unit)
       problems_.add(
           formula_place(roles_.column(name)),
-          fmt::format("{0} is in {1} in one place and in {2} in another; name them apart, as in {0} and {0}_2", name,
+          fmt::format("{0} has the unit {1} in one place and {2} in another; use two names, as in {0} and {0}_2", name,
                       unit_in_words(known), unit_in_words(unit)));
   }
 

@@ -71,10 +71,9 @@ class Signs {
 void check_finite(const Expression& formula, const std::set<std::string>& positive, ProblemList& problems) {
   const Signs signs(positive);
   const auto refuse_divisor = [&](const Expression& divisor) {
-    problems.add(formula_place(divisor.column),
-                 formula_text(divisor) +
-                     " may be zero, and what is divided by it infinite; divide by what stays positive, as in "
-                     "q/(0.01 + abs(v)) or q*exp(-abs(v))");
+    problems.add(formula_place(divisor.column), formula_text(divisor) +
+                                                    " may be zero, so dividing by it may give infinity; divide by a "
+                                                    "positive expression, as in q/(0.01 + abs(v)) or q*exp(-abs(v))");
   };
   walk(formula, [&](const Expression& e) {
     if (e.kind == Kind::quotient && !signs.never_zero(e.parts[1])) refuse_divisor(e.parts[1]);
@@ -82,14 +81,14 @@ void check_finite(const Expression& formula, const std::set<std::string>& positi
       const Expression& base = e.parts[0];
       if (e.parts[1].number < 0.0 && !signs.never_zero(base)) refuse_divisor(base);
       if (!is_whole(e.parts[1].number) && !signs.never_negative(base))
-        problems.add(formula_place(e.column), formula_text(base) + " may be negative and has no power of " +
+        problems.add(formula_place(e.column), formula_text(base) + " may be negative and then has no power of " +
                                                   number_text(e.parts[1].number) +
-                                                  " there; write it of abs(...), as in sgn(v)*abs(v)^1.5");
+                                                  " ; write it with abs(...), as in sgn(v)*abs(v)^1.5");
     }
     if (e.kind == Kind::call && e.name == "sqrt" && !signs.never_negative(e.parts[0]))
-      problems.add(formula_place(e.column), formula_text(e.parts[0]) +
-                                                " may be negative and has no root there; write it of abs(...), as in "
-                                                "sgn(v)*sqrt(abs(v))");
+      problems.add(formula_place(e.column),
+                   formula_text(e.parts[0]) +
+                       " may be negative and then has no root; write it with abs(...), as in sgn(v)*sqrt(abs(v))");
   });
 }
 

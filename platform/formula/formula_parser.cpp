@@ -61,9 +61,9 @@ class Parser {
   Expression parse() {
     if (now().kind == FormulaToken::Kind::end) fail("the formula is empty; write a force law such as -0.01*v*abs(v)");
     Expression all = sum();
-    if (is(")")) fail("this ) closes nothing; take it away or open a ( before it");
+    if (is(")")) fail("this ) has no matching (; remove it or add a ( before it");
     if (now().kind != FormulaToken::Kind::end)
-      fail("a sign is missing before \"" + now().text + "\"; write products with *");
+      fail("an operator is missing before \"" + now().text + "\"; write products with *");
     return all;
   }
 
@@ -81,7 +81,7 @@ class Parser {
     Expression e{kind, 0.0, std::move(name), std::move(parts), column};
     if (!std::all_of(e.parts.begin(), e.parts.end(), [](const Expression& part) { return part.is_number(); })) return e;
     const double value = value_of(e);
-    if (!std::isfinite(value)) complain(column, formula_text(e) + " is no finite number");
+    if (!std::isfinite(value)) complain(column, formula_text(e) + " is not a finite number");
     return {Kind::number, std::isfinite(value) ? value : 1.0, {}, {}, column};
   }
 
@@ -102,7 +102,7 @@ class Parser {
       const FormulaToken sign = take();
       Expression right = unary();
       if (sign.text == "/" && right.is_number() && right.number == 0.0) {
-        complain(right.column, "nothing can be divided by 0");
+        complain(right.column, "a division by 0");
         right.number = 1.0;
       }
       const int column = left.column;
@@ -129,7 +129,7 @@ class Parser {
     const Deeper deeper(*this);
     Expression exponent = unary();
     if (!exponent.is_number()) {
-      complain(place, "an exponent is a number, as in v^2, not " + formula_text(exponent));
+      complain(place, "an exponent must be a number, as in v^2, not " + formula_text(exponent));
       exponent = {Kind::number, 2.0, {}, {}, place};
     }
     return made(Kind::power, column, {std::move(base), std::move(exponent)});
@@ -142,8 +142,9 @@ class Parser {
     }
     if (now().kind == FormulaToken::Kind::name) return named();
     if (is("(")) return in_parentheses("this (");
-    if (now().kind == FormulaToken::Kind::end) fail("the formula ends where a number, q, v, u or a function is due");
-    fail("a number, q, v, u or a function is due before \"" + now().text + "\"");
+    if (now().kind == FormulaToken::Kind::end)
+      fail("the formula ends where a number, q, v, u or a function is expected");
+    fail("a number, q, v, u or a function is expected before \"" + now().text + "\"");
   }
 
   Expression in_parentheses(const std::string& opened) {
@@ -151,10 +152,11 @@ class Parser {
     const FormulaToken opening = take();
     Expression inner = sum();
     if (now().kind == FormulaToken::Kind::end) {
-      complain(opening.column, opened + " is never closed; a ) is missing");
+      complain(opening.column, opened + " has no matching ); add one");
       throw Fault{};
     }
-    if (!is(")")) fail("a sign is missing before \"" + now().text + "\"; write products with *");
+    if (!is("an operator is missing before \""))
+      fail("a sign is missing before \"" + now().text + "\"; write products with *");
     take();
     return inner;
   }
@@ -174,7 +176,7 @@ class Parser {
     for (const auto& [name, of] : functions()) known.push_back(name);
     const bool found = functions().contains(word.text);
     if (!found && word.text.size() == 1)
-      complain(word.column, "a sign is missing between \"" + word.text + "\" and (; write products with *");
+      complain(word.column, "an operator is missing between \"" + word.text + "\" and (; write products with *");
     else if (!found)
       complain(word.column,
                "there is no function " + word.text + did_you_mean(word.text, known) + "; known are " + kFunctionNames);
@@ -188,15 +190,14 @@ class Parser {
       complain(word.column,
                word.text + " is a function; write its argument in parentheses, as in " + word.text + "(v)");
     else if (!std::all_of(word.text.begin(), word.text.end(), is_small) || word.text.front() == '_')
-      complain(word.column, "\"" + word.text + "\" is no name of a parameter; write small letters, digits and _");
+      complain(word.column, "\"" + word.text + "\" is not a valid parameter name; write small letters, digits and _");
   }
 
   /// Counts how deep the recursion is, so that no text overflows the stack.
   class Deeper {
    public:
     explicit Deeper(Parser& parser) : parser_(parser) {
-      if (++parser_.depth_ > kDeepest)
-        parser_.fail("the formula is nested too deeply from here on; write it more simply");
+      if (++parser_.depth_ > kDeepest) parser_.fail("the formula is nested too deeply from here on; simplify it");
     }
     ~Deeper() { --parser_.depth_; }
 
@@ -214,8 +215,9 @@ class Parser {
 
 std::optional<Expression> parse_formula(const std::string& text, ProblemList& problems) {
   if (text.size() > kLongest) {
-    problems.add(formula_place(static_cast<int>(kLongest)), "the formula is longer than " + std::to_string(kLongest) +
-                                                                " characters; an effect of several plugins may help");
+    problems.add(formula_place(static_cast<int>(kLongest)),
+                 "the formula is longer than " + std::to_string(kLongest) +
+                     " characters; use an effect with several plugins instead");
     return std::nullopt;
   }
   ProblemList found;

@@ -59,7 +59,7 @@ class Scanner {
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
     const std::string word(begin, end);
     if (error != std::errc{} || !std::isfinite(value))
-      problems_.add(formula_place(column()), "\"" + word + "\" is too large or too small a number");
+      problems_.add(formula_place(column()), "\"" + word + "\" is outside the range of numbers");
     tokens_.push_back({FormulaToken::Kind::number, word, value, column()});
     at_ += word.size();
   }
@@ -75,7 +75,7 @@ class Scanner {
     for (const auto& [text, advice] : kMistakes) {
       if (!std::string_view(text_).substr(at_).starts_with(text)) continue;
       problems_.add(formula_place(column()),
-                    "\"" + std::string(text) + "\" is no sign of a formula; " + std::string(advice));
+                    "\"" + std::string(text) + "\" is not allowed in a formula; " + std::string(advice));
       at_ += text.size();
       return true;
     }
@@ -91,7 +91,7 @@ class Scanner {
     std::size_t end = at_ + 1;  // a character outside of ASCII is several bytes
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0) == 0x80) ++end;
     problems_.add(formula_place(column()),
-                  "\"" + text_.substr(at_, end - at_) + "\" is no sign of a formula; known are + - * / ^ ( )");
+                  "\"" + text_.substr(at_, end - at_) + "\" is not allowed in a formula; known are + - * / ^ ( )");
     at_ = end;
   }
 

@@ -236,8 +236,8 @@ std::vector<NamedElement> named_elements(const RobotSpec& robot) {
 std::string nothing_matches(const std::string& pattern, const std::vector<NamedElement>& elements) {
   std::vector<std::string> addresses;
   for (const NamedElement& element : elements) addresses.push_back(element.address);
-  return "\"" + pattern + "\" matches nothing of the robot" + did_you_mean(pattern, addresses) + "; it has " +
-         nearest_names(pattern, addresses) +
+  return "\" matches no element of the robot" + pattern + "\" matches nothing of the robot" +
+         did_you_mean(pattern, addresses) + "; it has " + nearest_names(pattern, addresses) +
          (addresses.size() > kMostNearest ? "; lacuna check FILE lists its joints, actuators and sensors" : "");
 }
 
@@ -356,7 +356,7 @@ ElementMatch match_elements(const RobotSpec& robot, const std::vector<std::strin
       if (!matches(pattern, element.address)) continue;
       if (!first && element.kind != match.kind)
         throw Error("\"" + pattern + "\" names " + with_article(std::string(to_string(element.kind))) + " beside " +
-                    with_article(std::string(to_string(match.kind))) + "; place an effect on elements of one kind");
+                    with_article(std::string(to_string(match.kind))) + "; an effect needs elements of one kind");
       match.kind = element.kind;
       first = false;
       found = true;

@@ -50,7 +50,8 @@ std::string sha256_of_file(const std::filesystem::path& file) {
     stream.read(block.data(), block.size());
     digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
   }
-  if (!stream.eof()) throw Error(file.string() + ": cannot be read; check that the file exists and its permissions");
+  if (!stream.eof())
+    throw Error(file.string() + ": cannot be read; check that the file exists and that you may read it");
   return digest.hex();
 }
 

@@ -21,7 +21,7 @@ std::vector<LinkTurn> turns_of_link(const RobotSpec& robot, const std::string& n
   const auto read = std::find_if(robot.joints.begin(), robot.joints.end(),
                                  [&](const JointSpec& joint) { return joint.name == name; });
   if (read == robot.joints.end() || read->kind != JointKind::hinge)
-    throw Error("joint." + name + " is no hinge, so that its link has no angle");
+    throw Error("joint." + name + " is not a hinge, so its link has no angle");
   const Eigen::Vector3d axis = read->axis.normalized();
   std::vector<LinkTurn> turns;
   for (auto joint = read; joint != robot.joints.end() && turns.size() <= robot.joints.size();
@@ -30,7 +30,7 @@ std::vector<LinkTurn> turns_of_link(const RobotSpec& robot, const std::string& n
     if (joint->kind == JointKind::fixed || joint->kind == JointKind::slider) continue;
     if (joint->kind != JointKind::hinge || std::abs(std::abs(cosine) - 1.0) > kParallel)
       throw Error("the link of joint." + name + " is turned by joint." + joint->name +
-                  " about another axis, so that it has no angle; read the joint's position");
+                  " about another axis, so it has no angle; read the joint's position");
     turns.push_back({static_cast<int>(joint - robot.joints.begin()), cosine > 0.0 ? 1.0 : -1.0});
   }
   return turns;

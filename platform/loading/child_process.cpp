@@ -173,7 +173,8 @@ std::vector<ChildAnswer> ask_in_child(std::size_t count, const std::function<std
   std::size_t next = 0;
   while (next < count) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(std::string("no pipe to a child process: ") + strerror(errno));
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw Error(std::string("no pipe to a child process could be made: ") + strerror(errno));
     const pid_t parent = getpid(), process = fork();
     if (process == 0) serve(ends[1], next, count, work, parent);
     const int why = errno;

@@ -21,8 +21,9 @@ bool is_name(const std::string& name) {
 
 std::string name_problem(const ParameterDeclarations& parameters, std::size_t i) {
   const std::string& name = parameters[i].name;
-  if (name.empty()) return fmt::format("its parameter {} has no name; name it", i + 1);
-  if (!is_name(name)) return fmt::format("its parameter \"{}\" is to be named with letters, digits and _ only", name);
+  if (name.empty()) return fmt::format("its parameter {} has no name; give it one", i + 1);
+  if (!is_name(name))
+    return fmt::format("its parameter \"{}\" may contain only letters, digits and _ in its name", name);
   for (std::size_t other = 0; other < i; ++other)
     if (parameters[other].name == name) return fmt::format("two of its parameters are named \"{}\"; rename one", name);
   return {};
@@ -46,18 +47,18 @@ std::string unit_problem(const ParameterDeclaration& parameter, const std::vecto
   for (const ElementKind kind : placements) {
     if (is_unit_on(kind, parameter.unit)) continue;
     const std::string words = unit_words_on(kind);
-    return fmt::format("its parameter \"{}\" has the unit \"{}\", which is no unit on {}; known are {}{}",
+    return fmt::format("its parameter \"{}\" has the unit \"{}\", which is not a unit for {}; known are {}{}",
                        parameter.name, parameter.unit,
                        kind == ElementKind::world ? "the world" : "elements of kind " + std::string(to_string(kind)),
-                       known_units(), words.empty() ? "" : "; words there are " + words);
+                       known_units(), words.empty() ? "" : "; placeholders are " + words);
   }
   return {};
 }
 
 std::string unit_problem(const ParameterDeclaration& parameter) {
   if (parse_unit(parameter.unit)) return {};
-  return fmt::format("its parameter \"{}\" has the unit \"{}\", which is none; known are {}", parameter.name,
-                     parameter.unit, known_units());
+  return fmt::format("its parameter \"{}\" has the unknown unit \"{}\"; known are {}", parameter.name, parameter.unit,
+                     known_units());
 }
 
 template <class UnitProblem>
@@ -82,12 +83,12 @@ std::string neutral_problem(const EffectDescription& description) {
 std::string stage_problem(const char* hook, const char* stages, bool overridden, bool has_stage) {
   if (overridden == has_stage) return {};
   return overridden ? fmt::format(
-                          "it overrides `{}` and names no stage for it, so that it would never be called; return "
-                          "one in `stages()`: {{.{} = lacuna::{}::...}}",
+                          "it overrides `{}` but names no stage for it, so it would never be called; return one in "
+                          "`stages()`: {{.{} = lacuna::{}::...}}",
                           hook, hook == std::string("sense") ? "sensor" : hook, stages)
                     : fmt::format(
-                          "it names a stage in `stages()`, of lacuna::{}, and does not override `{}`; override "
-                          "it, or take the stage out",
+                          "it names a stage in `stages()`, of lacuna::{}, but does not override `{}`; override it or "
+                          "remove the stage",
                           stages, hook);
 }
 
@@ -98,19 +99,19 @@ std::string declaration_problem(const ParameterDeclarations& parameters) {
 }
 
 std::string endings_problem(const std::vector<std::string>& endings, std::string_view taken) {
-  if (endings.empty()) return "it names no ending of the files that it reads; name one, such as \".urdf\"";
+  if (endings.empty()) return "it names no file ending; name one, such as \".urdf\"";
   for (const std::string& ending : endings)
     if (ending.size() < 2 || ending.front() != '.' || ending == taken)
-      return fmt::format("it reads files that end with \"{}\"; an ending begins with a dot, and {} is taken", ending,
-                         taken);
+      return fmt::format("it reads files that end with \"{}\"; an ending must begin with a dot, and {} is taken",
+                         ending, taken);
   return {};
 }
 
 std::string effect_problem(const EffectDescription& description, const EffectStages& stages,
                            const OverriddenHooks& overridden) {
   if (description.placements.empty())
-    return "it has no placement; name in `describe()` the kinds of element that it acts on, such as "
-           ".placements = {lacuna::ElementKind::joint}";
+    return "it has no placement; name in `describe()` the kinds of element on which it acts, such as .placements = "
+           "{lacuna::ElementKind::joint}";
   for (const std::string& problem :
        {first_problem(
             description.parameters,

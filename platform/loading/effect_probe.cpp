@@ -15,11 +15,10 @@ std::string reading_problem(const EffectTrial& trial, const EffectCourse& first,
   if (first_difference(first, trial.go({})) != nullptr) return {};  // not the same twice: nothing follows from it
   constexpr double kOtherGuard = -1906.5;
   const char* const call = first_difference(first, trial.go({.guard = kOtherGuard}));
-  return call == nullptr ? ""
-                         : fmt::format(
-                               "{} reads beyond its parameters, of which there are {}: what it gives depends on "
-                               "what lies in memory beside them",
-                               call, parameters);
+  return call == nullptr
+             ? ""
+             : fmt::format("{} reads beyond its parameters (it has {}), so its result depends on the memory after them",
+                           call, parameters);
 }
 
 /// Where others have added loads, the sum is another one, unless it was overwritten.
@@ -38,15 +37,16 @@ std::string allocation_remark(const EffectCourse& course) {
   for (const auto& [call, count] : course.allocations)
     if (count > 0)
       return fmt::format(
-          "{} allocates memory ({} a call), which an effect must not in a step: each model that has it is slower; keep "
-          "what it needs in its state, or in arrays of fixed size",
+          "{} allocates memory ({} per call), which an effect must not do in a step, because it slows down each model; "
+          "keep the data in its state or in arrays of fixed size",
           call, count == 1 ? "once" : fmt::format("{} times", count));
   return {};
 }
 
 EffectFindings findings_at(const EffectTrial& trial, std::size_t parameters, const EffectCourse& course) {
   if (course.replaced_loads) return {"add_loads replaces the list of loads; add to its elements", {}};
-  if (!course.kept_to_state) return {"it writes beyond its state; let `state_size` tell how many numbers it needs", {}};
+  if (!course.kept_to_state)
+    return {"it writes beyond its state; return the number of values it needs from `state_size`", {}};
   for (const std::string& problem : {reading_problem(trial, course, parameters),
                                      course.threw() ? std::string() : overwriting_problem(trial, course)})
     if (!problem.empty()) return {problem, {}};

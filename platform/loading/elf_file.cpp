@@ -28,7 +28,7 @@ bool read_at(std::ifstream& stream, std::uint64_t offset, Record& record) {
 }
 
 std::string too_short(std::uint64_t size, std::uint64_t needed) {
-  return "is cut short: it has " + std::to_string(size) + " of at least " + std::to_string(needed) +
+  return "is incomplete: it has " + std::to_string(size) + " of at least " + std::to_string(needed) +
          " bytes; copy it or build it again";
 }
 
@@ -63,7 +63,7 @@ std::string kind_problem(const std::filesystem::path& file) {
     case std::filesystem::file_type::block: return is("a device");
     case std::filesystem::file_type::not_found:
       if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, failure)))
-        return "is a link to nothing; mend it, or take it out of the plugin folder";
+        return "is a link to a missing file; repair it or remove it from the plugin folder";
       return {};  // opening it tells
     default: return "cannot be read (" + failure.message() + "); check its permissions";
   }

@@ -63,7 +63,7 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
 }
 
 constexpr std::size_t kMostProblems = 3;  ///< of other plugins, told beside one that is missing
-constexpr const char* kRepair = "; that is a fault of the plugin: repair it, or take it out of the plugin folder";
+constexpr const char* kRepair = "; that is a fault of the plugin: repair it or remove it from the plugin folder";
 
 /// What a component says of itself that cannot be, and what its hooks do.
 template <class Interface>
@@ -229,7 +229,7 @@ void PluginCatalog::find_duplicates() {
     if (first.kind != second.kind || first.origin.name != second.origin.name) continue;
     second.duplicate_of = "two plugins have the " + second.origin.kind + " \"" + second.origin.name +
                           "\": " + first.origin.file.string() + " and " + second.origin.file.string() +
-                          "; take one of them out of the search path";
+                          "; remove one of them from the search path";
     first.duplicate_of = second.duplicate_of;
     problems_.push_back(second.duplicate_of);
   }
@@ -254,15 +254,15 @@ std::string PluginCatalog::missing(std::string_view kind, const std::string& nam
     if (entry->kind == kind) names.push_back(entry->origin.name);
   std::string text = "there is no " + noun + " \"" + name + "\"" + did_you_mean(name, names);
   text +=
-      names.empty() ? "; there is no plugin with " + with_article(noun) : "; there is " + nearest_names(name, names);
-  if (names.size() > kMostNearest) text += "; lacuna plugins list --kind " + shell_word(noun) + " names all";
+      names.empty() ? "; no plugin has " + with_article(noun) : "; there is " + nearest_names(name, names);
+  if (names.size() > kMostNearest) text += "; lacuna plugins list --kind " + shell_word(noun) + " lists all";
   text += "; searched in";
   for (std::size_t i = 0; i < folders_.size(); ++i) text += (i == 0 ? " " : ", ") + folders_[i].string();
   if (folders_.empty()) text += " no folder (name one with --plugin-path)";
   for (std::size_t i = 0; i < std::min(problems_.size(), kMostProblems); ++i) text += "; " + problems_[i];
   if (problems_.size() > kMostProblems)
     text +=
-        "; and " + std::to_string(problems_.size() - kMostProblems) + " more problems, which lacuna plugins list names";
+        "; and " + std::to_string(problems_.size() - kMostProblems) + " more problems; lacuna plugins list shows them";
   return text;
 }
 

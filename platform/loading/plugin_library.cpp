@@ -57,15 +57,16 @@ std::string loader_complaint(std::string_view message) {
   if (const auto end = message.rfind("):"); end != message.npos) message = message.substr(0, end);
   const auto undefined = message.find(kUndefined);
   if (undefined == message.npos)
-    return "cannot be loaded (" + std::string(message) + "); install what it needs or build it again";
+    return "); install the missing library or build it again" + std::string(message) +
+           "); install what it needs or build it again";
   std::string symbol(message.substr(undefined + kUndefined.size()));
   symbol = symbol.substr(0, symbol.find_first_of(", \t"));
   return "cannot be loaded: it calls " + boost::core::demangle(symbol.c_str()) +
-         ", which nothing defines; add the missing source file or library to the plugin and build it again";
+         ", which is defined nowhere; add the missing source file or library to the plugin and build it again";
 }
 
 std::string in_child(const std::filesystem::path& file, const std::string& ending) {
-  return file.string() + ": " + ending + " when it was loaded; copy it or build it again, or take it out of the folder";
+  return file.string() + ": " + ending + " when it was loaded; copy it or build it again, or remove it from the folder";
 }
 
 /// As libraries are to leave the process; none: the first of them has not been loaded here.
@@ -85,14 +86,13 @@ std::string sentence_of_changes() {
   if (changes.empty()) return {};
   remember_state();  // what could not be set back is not the next one's
   return "changes " + enumerated(changes) +
-         " when it is loaded, which other code relies on; take that out of its static objects and link options, or "
-         "take "
-         "it out of the plugin folder";
+         " when it is loaded, on which other code relies; remove this from its static objects and link options, or "
+         "remove the plugin from the folder";
 }
 
 /// How a parent process names what a library does when it is loaded, before anything is known of its components.
 const char* file_on_page(const std::filesystem::path& file) { return component_on_page(file.string()); }
-constexpr const char* kLoading = "what it does when it is loaded";
+constexpr const char* kLoading = "its code that runs on loading";
 
 /// What happens to a file in the child process: everything that will happen to it in this one. What it changed of the
 /// process.

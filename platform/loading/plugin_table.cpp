@@ -40,7 +40,7 @@ std::string size_text(const TypeLayout& layout) {
 std::string layout_problem(std::span<const TypeLayout> layouts) {
   for (const TypeLayout& ours : kInterfaceLayouts) {
     const TypeLayout* theirs = find_layout(layouts, ours.type);
-    if (theirs == nullptr) return "does not say how it lays out " + std::string(ours.type) + kRebuild;
+    if (theirs == nullptr) return "does not state the memory layout of " + std::string(ours.type) + kRebuild;
     if (theirs->size != ours.size || theirs->alignment != ours.alignment)
       return "lays out " + std::string(ours.type) + " in " + size_text(*theirs) + ", this program in " +
              size_text(ours) + kRebuild;

@@ -43,8 +43,8 @@ TEST_F(IllBehavedEffect, ThatOverwritesLoadsOfOthersIsRefused) {
 }
 
 TEST_F(IllBehavedEffect, ThatReadsBeyondItsParametersIsRefused) {
-  expect_refusal("reads_beyond", "add_loads reads beyond its parameters, of which there are 1");
-  expect_refusal("amends_from_beyond", "amend reads beyond its parameters, of which there are 1");
+  expect_refusal("reads_beyond", "add_loads reads beyond its parameters (it has 1)");
+  expect_refusal("amends_from_beyond", "amend reads beyond its parameters (it has 1)");
 }
 
 TEST_F(IllBehavedEffect, ThatWritesBeyondItsStateIsRefused) { expect_refusal("writes_beyond", "beyond its state"); }

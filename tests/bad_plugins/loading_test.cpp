@@ -90,10 +90,9 @@ TEST(BadPlugin, WithDamagedInsidesNeverEndsTheHost) {
 TEST(BadPlugin, OfANameThatIsTakenNamesBothFiles) {
   const BadFolder folder("duplicate");
   const PluginCatalog catalog({built_plugins(), folder.path()});
-  const auto names_both =
-      AllOf(HasSubstr("two plugins have the effect \"coulomb_friction\""),
-            HasSubstr((built_plugins() / "coulomb_friction.so").string()),
-            HasSubstr((folder.path() / "duplicate.so").string()), HasSubstr("take one of them out"));
+  const auto names_both = AllOf(HasSubstr("two plugins have the effect \"coulomb_friction\""),
+                                HasSubstr((built_plugins() / "coulomb_friction.so").string()),
+                                HasSubstr((folder.path() / "duplicate.so").string()), HasSubstr("remove one of them"));
   EXPECT_THAT(catalog.problems(), ElementsAre(names_both));
   EXPECT_THAT([&] { catalog.get<PhysicalEffect>("coulomb_friction"); }, ThrowsMessage<Error>(names_both));
   EXPECT_NO_THROW(catalog.get<PhysicalEffect>("viscous_friction"));
@@ -126,7 +125,7 @@ TEST(BadPlugin, ThatSaysOfItselfWhatCannotBeIsRefusedByName) {
     return AllOf(HasSubstr(std::string("\"") + name + "\""), HasSubstr("unfit.so"), HasSubstr(what),
                  HasSubstr("repair it"));
   };
-  const std::map<std::string, const char*> whats = {{"without_stage", "overrides `command` and names no stage"},
+  const std::map<std::string, const char*> whats = {{"without_stage", "overrides `command` but names no stage"},
                                                     {"without_placement", "has no placement"},
                                                     {"unknown_unit", "\"{foo}\", which is no unit on"},
                                                     {"bounds_reversed", "a lower bound above its upper bound"}};

@@ -133,7 +133,7 @@ TEST(ExitCode, IsOneWhereAFileMayNotGrowFurther) {
   EXPECT_THAT(database.errors, HasSubstr("first-steps.db: cannot grow: the disk or the quota is full, or files may"));
   const Outcome json = program.shell("ulimit -f 8; lacuna plugins list --json=plugins.json");
   EXPECT_EQ(json.exit_code, kFailed);
-  EXPECT_THAT(json.errors, HasSubstr("plugins.json: cannot be written to its end; check that its folder is writable "
+  EXPECT_THAT(json.errors, HasSubstr("plugins.json: cannot be written completely; check that its folder is writable "
                                      "and the disk not full"));
 }
 

@@ -105,12 +105,12 @@ TEST_F(SmallLimit, OfOpenFilesAndOfTheStackIsNamed) {
   for (const char* few : {"6", "10", "16"}) {
     const Outcome files = compare("-n " + std::string(few));
     EXPECT_EQ(files.exit_code, kFailed) << few;
-    EXPECT_THAT(files.errors, HasSubstr("only " + std::string(few) + " files may be open at once (ulimit -n)"));
+    EXPECT_THAT(files.errors, HasSubstr("the limit of open files is " + std::string(few) + " (ulimit -n)"));
   }
   if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer needs more stack";
   const Outcome stack = compare("-s 200");
   EXPECT_EQ(stack.exit_code, kFailed);
-  EXPECT_THAT(stack.errors, HasSubstr("the stack may be only 200 kB large (ulimit -s)"));
+  EXPECT_THAT(stack.errors, HasSubstr("the stack limit is 200 kB (ulimit -s)"));
 }
 
 TEST_F(SmallLimit, OfTheStackThatMayBeRaisedIsRaised) {
@@ -142,7 +142,7 @@ TEST_F(SmallLimit, OfMemoryEndsWithASentenceOrTheResult) {
 TEST_F(SmallLimit, OfProcessorTimeIsNamed) {
   const Outcome outcome = program_.shell("ulimit -t 1; lacuna diagnose first-steps.toml --quiet --threads 1");
   if (outcome.exit_code == kDone) GTEST_SKIP() << "a second was enough";
-  EXPECT_THAT(outcome.errors, HasSubstr("it may use 1 s of processor time (ulimit -t), and has used them"));
+  EXPECT_THAT(outcome.errors, HasSubstr("it used up its processor time of 1 s (ulimit -t)"));
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ TEST_F(RobotFormatFiles, AreHeldOrFreeAsTheModelSays) {
   EXPECT_EQ(held.exit_code, 0) << held.errors;
   const Outcome none = program_.run({"check", "arm.toml", "--set", "model.held=[\"joint.toe\"]"});
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.errors, HasSubstr("\"joint.toe\" names no joint of the robot"));
+  EXPECT_THAT(none.errors, HasSubstr("the robot has no joint \"joint.toe\""));
   program_.write("arm.toml", kExperiment);
   const Outcome floats =
       program_.run({"check", "arm.toml", "--set", "model.base=\"free\"", "--set", "target.base=\"free\""});

@@ -135,7 +135,7 @@ TEST(TorqueDrivenArm, IsDraftedAndComparedOverASecond) {
   const Outcome compared = program.run({"compare", "rig.toml", "--json"});
   ASSERT_EQ(compared.exit_code, 0) << compared.errors;
   EXPECT_LT(processor_time_of_children() - before, 30.0) << "s";
-  EXPECT_THAT(compared.output, HasSubstr("predictions start anew from the readings every 1 s"));
+  EXPECT_THAT(compared.output, HasSubstr("predictions restart from the readings every 1 s"));
 }
 
 }  // namespace

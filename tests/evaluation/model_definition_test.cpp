@@ -217,8 +217,8 @@ TEST_F(DefineModel, ValuesOutsideTheirBoundsAreRefused) {
   experiment_.model.set = {{"body.arm.mass", -1.0}};
   experiment_.model.free = {{"joint.hinge.damping", -1.0, 1.0, std::nullopt}};
   add_effect("a", "coulomb_friction", {"joint.hinge"}).start = {{"torque", -0.5}};
-  EXPECT_THAT(problems(), testing::UnorderedElementsAre(HasSubstr("no possible value of body.arm.mass"),
-                                                        HasSubstr("beyond the possible values of joint.hinge.damping"),
+  EXPECT_THAT(problems(), testing::UnorderedElementsAre(HasSubstr("not a possible value of body.arm.mass"),
+                                                        HasSubstr("exceeds the possible values of joint.hinge.damping"),
                                                         HasSubstr("outside the range of coulomb_friction")));
 }
 
@@ -236,7 +236,7 @@ TEST_F(DefineModel, RangesThatAnEffectCannotHaveAreRefused) {
   add_effect("a", "coulomb_friction", {"joint.hinge"}).range = {{"torque", {-1.0, 1.0}}};
   add_effect("b", "coulomb_friction", {"joint.hinge"}).range = {{"torque", {0.5, 1.0}}};
   add_effect("c", "coulomb_friction", {"joint.hinge"}).range = {{"torqe", {0.5, 1.0}}};
-  EXPECT_THAT(problems(), testing::UnorderedElementsAre(HasSubstr("goes beyond the range of coulomb_friction"),
+  EXPECT_THAT(problems(), testing::UnorderedElementsAre(HasSubstr("exceeds the range of coulomb_friction"),
                                                         HasSubstr("the start, 0.00, lies outside"),
                                                         HasSubstr("did you mean \"torque\"?")));
 }

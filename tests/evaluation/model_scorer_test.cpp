@@ -155,7 +155,7 @@ TEST(ModelScorer, AScoreOfFiniteReadingsThatIsNoNumberIsTheMetricsFaultNotTheMod
     EXPECT_EQ(score.kind, ScoreKind::invalid);
     EXPECT_EQ(score.total, kInfinity) << "the worst, whatever the metric says";
     EXPECT_THAT(score.reason, testing::AllOf(HasSubstr("metric \"odd\" (odd.so): its score is "),
-                                             testing::Not(HasSubstr("model reads values that are not"))));
+                                             testing::Not(HasSubstr("model predicts readings that are not"))));
   }
 }
 

@@ -87,13 +87,13 @@ TEST_F(RecordedSetups, AValueThatNoRecordingSharesIsNotFree) {
 TEST_F(RecordedSetups, AHeldOutRecordingMustBeToldWhatAllOthersFindForThemselves) {
   own(0, "body.body.mass");
   own(1, "body.body.mass");
-  EXPECT_THAT(problem(), HasSubstr("rig.toml:12:1: every recording to be fitted has a value of its own for "
-                                   "body.body.mass, so nothing tells that of this held-out one"));
+  EXPECT_THAT(problem(), HasSubstr("rig.toml:12:1: every fit recording has its own value of body.body.mass, so the "
+                                   "value of this held-out recording is unknown"));
 }
 
 TEST_F(RecordedSetups, AFreeValueThatEveryRecordingSetsIsAProblem) {
   for (const std::size_t file : {std::size_t{0}, std::size_t{1}}) set(file, "body.body.mass", 1.0);
-  EXPECT_THAT(problem(), HasSubstr("body.body.mass is set by every recording to be fitted"));
+  EXPECT_THAT(problem(), HasSubstr("body.body.mass is set by every fit recording"));
 }
 
 TEST_F(RecordedSetups, AHeldOutRecordingHasNoOwnValues) {
@@ -103,7 +103,7 @@ TEST_F(RecordedSetups, AHeldOutRecordingHasNoOwnValues) {
 
 TEST_F(RecordedSetups, BoundsMustBeGiven) {
   own(1, "joint.joint.stiffness");
-  EXPECT_THAT(problem(), HasSubstr("nothing says within which bounds joint.joint.stiffness is sought"));
+  EXPECT_THAT(problem(), HasSubstr("joint.joint.stiffness has no bounds for the fit"));
 }
 
 TEST_F(RecordedSetups, BadAddressesAndValuesAreNamedAllAtOnce) {
@@ -113,8 +113,8 @@ TEST_F(RecordedSetups, BadAddressesAndValuesAreNamedAllAtOnce) {
   const std::string problems = problem();
   EXPECT_THAT(problems, HasSubstr("target.recording[0].set.body.bdy.mass: \"body.bdy.mass\" matches no value"));
   EXPECT_THAT(problems, HasSubstr("did you mean"));
-  EXPECT_THAT(problems, HasSubstr("-1.00 kg is no possible value of body.body.mass"));
-  EXPECT_THAT(problems, HasSubstr("body.body.mass is set by this recording already"));
+  EXPECT_THAT(problems, HasSubstr("-1.00 kg is not a possible value of body.body.mass"));
+  EXPECT_THAT(problems, HasSubstr("body.body.mass is already set by this recording"));
 }
 
 TEST_F(RecordedSetups, AnEffectMayHaveAValueOfARecording) {

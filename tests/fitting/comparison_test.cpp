@@ -137,9 +137,8 @@ TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
 TEST(Compare, AsksForSmallerStepsWhereTheyCount) {
   const auto notes = [](double damping) { return compare_with_pushed(0.05, damping).notes; };
   const std::string asks =
-      "the numerical error of angle is not small beside its error and floor; set more engine.substeps, or 0 for as "
-      "many "
-      "as needed";
+      "the numerical error of angle is not small compared with its error and floor; set more engine.substeps, or 0 for "
+      "automatic";
   // 12.5 mrad at rest, beside an error of 10 that the uncertain start makes.
   EXPECT_THAT(notes(0.5), testing::Contains(asks));
   EXPECT_THAT(notes(0.0), testing::Not(testing::Contains(asks)));  // small beside that of a spring without damping
@@ -202,14 +201,14 @@ TEST(Compare, ATrialThatEndsWithinItsFirst50MillisecondsIsNamed) {
   const Comparison comparison = compare_spring({spring_trial(kNoise, 1, 1.0), spring_trial(kNoise, 2, 0.03)}, 0.5);
   EXPECT_EQ(comparison.trials[1].channels[0].samples, 0u);
   ASSERT_THAT(comparison.notes, SizeIs(1));
-  EXPECT_THAT(comparison.notes[0], testing::HasSubstr("trial 2 is not scored"));
+  EXPECT_THAT(comparison.notes[0], testing::HasSubstr("trial 2 has no score"));
 }
 
 TEST(Compare, NothingToScoreIsNoAgreement) {
   Trial masked = spring_trial(kNoise, 1, 1.0);
   masked.measured.samples.setConstant(std::nan(""));
   EXPECT_THAT([&] { compare_spring({masked}, 0.5); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("there is nothing to compare: trial 1")));
+              testing::ThrowsMessage<Error>(testing::HasSubstr("nothing to compare: trial 1")));
 }
 
 TEST(Compare, GivesTheSameDigitsForAnyNumberOfThreads) {

@@ -108,7 +108,7 @@ TEST(Fit, LeavesOutSegmentsThatHoldTooFewSamples) {
                                             two_sines(8.0, 1.5), {{0.3}, {0.0}}, kNoise, 3)};
   const FitResult result = fit_pendulum(trials);
   expect_truth(result, 0.05);
-  EXPECT_THAT(result.notes, Contains("segments of 0.1 s hold too few samples to tell anything: left out"));
+  EXPECT_THAT(result.notes, Contains("segments of 0.1 s hold too few samples and are left out"));
 }
 
 TEST(Fit, HuberIsNotPulledByWildReadings) {

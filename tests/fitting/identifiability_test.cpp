@@ -65,7 +65,7 @@ TEST(Identifiability, NamesAValueThatNothingShows) {
       [](std::span<const double> p, double, double, double u) { return u / p[0]; },
       {free_value("body.arm.mass", 2.2, 0.1, 10.0), free_value("contact.friction", 0.5, 0.0, 2.0)}, {2.0, 0.5});
   EXPECT_THAT(result.cannot_tell,
-              ElementsAre("the data do not show contact.friction: no value within its bounds would be noticed"));
+              ElementsAre("the data do not determine contact.friction: any value within its bounds fits"));
   EXPECT_TRUE(result.values[0].identified);
   EXPECT_NEAR(result.values[0].value, 2.0, 0.02);
   EXPECT_TRUE(std::isfinite(result.values[0].standard_error));

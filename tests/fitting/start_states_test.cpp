@@ -92,7 +92,7 @@ TEST(StartStates, ModelsWithAMemoryOfTheirOwnStartAtTheBeginningOnly) {
   EXPECT_EQ(obstacle(robot), "a sensor's readings are delayed");
   robot = one_joint_robot();
   robot.actuators[0].transmission.stiffness = 100.0;
-  EXPECT_EQ(obstacle(robot), "the rotor of actuator.motor moves by itself");
+  EXPECT_EQ(obstacle(robot), "the rotor of actuator.motor moves independently of the joint");
 }
 
 TEST(FitHead, FindsTheStartWithinItsStatedUncertainty) {

@@ -18,34 +18,34 @@ std::vector<Bad> bad_formulas() {
   return {
       {"", {":1:1: the formula is empty"}},
       {"  ", {":1:3: the formula is empty"}},
-      {"-0.01*v*abs(v", {":1:12: the ( of abs is never closed"}},
-      {"0.1*(q + v", {":1:5: this ( is never closed"}},
-      {"q)", {":1:2: this ) closes nothing"}},
-      {"2q", {":1:2: a sign is missing before \"q\"; write products with *"}},
-      {"(2 q)", {":1:4: a sign is missing before \"q\""}},
-      {"v(2)", {":1:1: a sign is missing between \"v\" and ("}},
+      {"-0.01*v*abs(v", {":1:12: the ( of abs has no matching )"}},
+      {"0.1*(q + v", {":1:5: this ( has no matching )"}},
+      {"q)", {":1:2: this ) has no matching ("}},
+      {"2q", {":1:2: an operator is missing before \"q\"; write products with *"}},
+      {"(2 q)", {":1:4: an operator is missing before \"q\""}},
+      {"v(2)", {":1:1: an operator is missing between \"v\" and ("}},
       {"v +", {":1:4: the formula ends where"}},
-      {"v*/2", {":1:3: a number, q, v, u or a function is due before \"/\""}},
+      {"v*/2", {":1:3: a number, q, v, u or a function is expected before \"/\""}},
       {"sign(v) + sinn(q)",
        {":1:1: there is no function sign", ":1:11: there is no function sinn (did you mean \"sin\"?)"}},
       {"abs*v", {":1:1: abs is a function"}},
-      {"Q + 0.5*_x", {":1:1: \"Q\" is no name", ":1:9: \"_x\" is no name"}},
+      {"Q + 0.5*_x", {":1:1: \"Q\" is not a valid parameter name", ":1:9: \"_x\" is not a valid parameter name"}},
       {"0,5*v + |v| + v**2", {":1:2: \",\"", ":1:9: \"|\"", ":1:11: \"|\"", ":1:16: \"**\""}},
-      {"0.1\u2212v", {":1:4: \"\u2212\" is no sign of a formula; write minus as -"}},
-      {"\u00e4", {":1:1: \"\u00e4\" is no sign"}},
-      {"tau=v", {":1:4: \"=\" is no sign of a formula; give the right-hand side alone"}},
-      {"v^q + q^v", {":1:3: an exponent is a number, as in v^2, not q", ":1:9: an exponent is a number"}},
-      {"1e999*v", {":1:1: \"1e999\" is too large"}},
-      {"v + exp(1000)*q", {":1:5: exp(1000) is no finite number"}},
-      {"v/0 + 1/(2 - 2)*q", {":1:3: nothing can be divided by 0", ":1:10: nothing can be divided by 0"}},
-      {"0*v", {":1:1: the number of the term v must be finite and not 0"}},
-      {"1e307*v", {":1:1: the number of the term v must be finite"}},
+      {"0.1\u2212v", {":1:4: \"\u2212\" is not allowed in a formula; write minus as -"}},
+      {"\u00e4", {":1:1: \"\u00e4\" is not allowed"}},
+      {"tau=v", {":1:4: \"=\" is not allowed in a formula; give the right-hand side alone"}},
+      {"v^q + q^v", {":1:3: an exponent must be a number, as in v^2, not q", ":1:9: an exponent must be a number"}},
+      {"1e999*v", {":1:1: \"1e999\" is outside the range"}},
+      {"v + exp(1000)*q", {":1:5: exp(1000) is not a finite number"}},
+      {"v/0 + 1/(2 - 2)*q", {":1:3: a division by 0", ":1:10: a division by 0"}},
+      {"0*v", {":1:1: the coefficient of the term v must be finite and not 0"}},
+      {"1e307*v", {":1:1: the coefficient of the term v must be finite"}},
       {"q + 2*q", {":1:5: there are two terms with q"}},
       {"b*v + c*q", {":1:1: the parameter b has no value; add --value b=NUMBER", ":1:7: the parameter c"}},
       {"q/v", {":1:3: v may be zero"}},
       {"v^-1", {":1:1: v may be zero"}},
-      {"sqrt(q)", {":1:1: q may be negative and has no root"}},
-      {"v^1.5", {":1:1: v may be negative and has no power of 1.5"}},
+      {"sqrt(q)", {":1:1: q may be negative and then has no root"}},
+      {"v^1.5", {":1:1: v may be negative and then has no power of 1.5"}},
       {"sqrt(1 - q^2)", {"may be negative"}},
   };
 }
@@ -86,12 +86,13 @@ TEST(Formula, ValuesMustFitItsNames) {
   EXPECT_THAT(message("b*v", {{"b", 0.0}}), HasSubstr("the value of b must be a number other than 0"));
   EXPECT_THAT(message("0.1*tanh(v/w)", {{"w", -0.1}}), HasSubstr(":1:12: w divides or scales something"));
   EXPECT_EQ(message("0.1*tanh(v/w)", {{"w", 0.1}}), "");
-  EXPECT_THAT(message("-b*v - b*q", {{"b", 0.1}}),
-              HasSubstr(":1:2: b is in N*m*s/rad (N*s/m on a slider) in one place and in N*m/rad (N/m on a slider) in "
-                        "another; name them apart, as in b and b_2"));
+  EXPECT_THAT(
+      message("-b*v - b*q", {{"b", 0.1}}),
+      HasSubstr(":1:2: b has the unit N*m*s/rad (N*s/m on a slider) in one place and N*m/rad (N/m on a slider) in "
+                "another; use two names, as in b and b_2"));
   EXPECT_THAT(message("0.1*tanh(v/w) + 0.2*tanh(q/w)", {{"w", 0.1}}),
-              HasSubstr(":1:12: w is in rad/s (m/s on a slider) in one place and in rad (m on a slider)"));
-  EXPECT_EQ(message("-b*v - b*q*tanh(v/w)/(w + abs(v))", {{"b", 0.1}, {"w", 0.1}}).find("w is"), std::string::npos);
+              HasSubstr(":1:12: w has the unit rad/s (m/s on a slider) in one place and rad (m on a slider)"));
+  EXPECT_EQ(message("-b*v - b*q*tanh(v/w)/(w + abs(v))", {{"b", 0.1}, {"w", 0.1}}).find("w has"), std::string::npos);
   EXPECT_EQ(message("-b*v - b*v*q^2/(0.1 + q^2)", {{"b", 0.1}}), "");
 }
 

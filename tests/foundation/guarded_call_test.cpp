@@ -34,7 +34,7 @@ TEST(GuardedCall, AStandardExceptionIsNamedWithItsType) {
   EXPECT_THAT(
       [] { guarded_call(kOrigin, "amend", [] { throw std::out_of_range("index 7"); }); },
       ThrowsMessage<Error>(StrEq("effect \"drag\" (/opt/drag.so): amend threw std::out_of_range (index 7); that "
-                                 "is a fault of the plugin: repair it, or do without this component")));
+                                 "is a fault of the plugin: repair it or leave this component out")));
 }
 
 TEST(GuardedCall, AForeignTypeIsNamed) {

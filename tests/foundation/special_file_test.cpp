@@ -56,10 +56,9 @@ TEST_F(SpecialFile, IsAnUnnamedPipeWhereAShellMakesOne) {
 }
 
 TEST_F(SpecialFile, APipeThatNobodyReadsTakesNoResults) {
-  EXPECT_THAT(why_not_writable(pipe_).value_or("it can"),
-              HasSubstr("a pipe that nobody reads; start its reader first"));
+  EXPECT_THAT(why_not_writable(pipe_).value_or("it can"), HasSubstr("a pipe without a reader; start its reader first"));
   EXPECT_THAT([&] { write_whole(pipe_, "text", Link::followed); },
-              testing::ThrowsMessage<Error>(HasSubstr("a pipe that nobody reads")));
+              testing::ThrowsMessage<Error>(HasSubstr("a pipe without a reader")));
 }
 
 /// A reader sees the end of a pipe where the last who could write to it has closed it.

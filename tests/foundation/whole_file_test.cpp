@@ -187,9 +187,9 @@ TEST_F(WholeFileTest, RefusesLinksThatLeadInACircle) {
 TEST_F(WholeFileTest, TellsBeforehandWhatCannotBeWritten) {
   const auto says = [](const char* reason) { return testing::Optional(HasSubstr(reason)); };
   EXPECT_THAT(why_not_writable(folder_ / std::string(300, 'x')), says("File name too long"));
-  EXPECT_THAT(why_not_writable("/proc/x"), says("folder /proc takes no new files: "));
+  EXPECT_THAT(why_not_writable("/proc/x"), says("folder /proc cannot be written to: "));
   EXPECT_THAT(why_not_writable("/proc/self/x"), says("No such file"));
-  EXPECT_THAT(why_not_writable_into("/proc"), says("takes no new files"));
+  EXPECT_THAT(why_not_writable_into("/proc"), says("cannot be written to"));
   EXPECT_EQ(why_not_writable(file_), std::nullopt);
   EXPECT_EQ(why_not_writable(folder_ / "fresh.json"), std::nullopt);
   EXPECT_EQ(why_not_writable("/dev/null"), std::nullopt);

@@ -239,8 +239,7 @@ TEST_F(NewCommand, RefusesARobotThatIsNone) {
   folder_.write("other.toml", "[experiment]\nname = \"other\"\n");
   const std::pair<const char*, const char*> kRefused[] = {
       {"nowhere.toml", "nowhere.toml: no such file"},
-      {"notes.txt",
-       "notes.txt: is no robot file that can be read: its name ends with none of .mjcf, .toml, .urdf, .xml"},
+      {"notes.txt", "notes.txt: cannot be read as a robot file: its name ends with none of .mjcf, .toml, .urdf, .xml"},
       {"other.toml", "other.toml:1:2: --robot names an experiment file, not a robot file"}};
   for (const auto& [name, sentence] : kRefused) {
     const Outcome outcome = run_new_of(file, name);

@@ -78,7 +78,7 @@ TEST_F(JsonLines, AreRefusedWithTheLine) {
   EXPECT_THAT(format_.problems(file("{\"q\": 1}\n{\"q\": }\nq\n")),
               ElementsAre(HasSubstr("2: the line is no JSON: there is no value at character 7"), HasSubstr("3: ")));
   EXPECT_THAT(format_.problems(file("{\"q\": 01}\n\n")), ElementsAre(HasSubstr("begins with 0")));
-  EXPECT_THAT(format_.problems(file("{\"q\": 1} {\"q\": 2}\n")), ElementsAre(HasSubstr("something follows its end")));
+  EXPECT_THAT(format_.problems(file("{\"q\": 1} {\"q\": 2}\n")), ElementsAre(HasSubstr("text follows its end")));
   EXPECT_THAT(format_.problems(file("5\n")), ElementsAre(HasSubstr("1: the line is a single value")));
   EXPECT_THAT(format_.problems(file(std::string("{\"q\": 1}\n\0\0\n", 12))), ElementsAre(HasSubstr("zero bytes")));
   EXPECT_THAT(format_.problems(file(std::string(100, '[') + "\n")), ElementsAre(HasSubstr("nested too deeply")));

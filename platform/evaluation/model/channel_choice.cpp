@@ -37,7 +37,7 @@ std::vector<std::size_t> chosen_channels(const RobotSpec& robot, const std::vect
   if (patterns.empty()) return chosen;
   try {
     const ElementMatch match = match_elements(robot, patterns);
-    if (match.kind != ElementKind::sensor) throw Error("only sensors are read; name them as in \"sensor.angle*\"");
+    if (match.kind != ElementKind::sensor) throw Error("only sensors can be read; name them as in \"sensor.angle*\"");
     std::size_t channel = 0;
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
       const std::size_t count = sensor_channels(robot, robot.sensors[i]).size();
@@ -72,7 +72,7 @@ Trial with_channels(Trial trial, const std::vector<std::string>& names) {
     if (c < trial.sensor_noise.size()) noise.push_back(trial.sensor_noise[c]);
   }
   if (kept.channels.empty())
-    throw Error("trial " + trial.name + " measured none of the sensors that estimation.sensors names");
+    throw Error("trial " + trial.name + " has no readings of the sensors that estimation.sensors names");
   kept.samples.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(kept.channels.size()));
   trial.measured = std::move(kept);
   trial.sensor_noise = std::move(noise);

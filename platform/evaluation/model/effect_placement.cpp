@@ -125,12 +125,12 @@ class EntryCheck {
     };
     const double start = entry_.start.at(name);
     if (bounds.first < declaration->lower || bounds.second > declaration->upper)
-      complain(".range." + name, text(bounds.first, bounds.second) + " goes beyond the range of " + entry_.effect +
-                                     ", " + text(declaration->lower, declaration->upper) + " " +
+      complain(".range." + name, text(bounds.first, bounds.second) + " exceeds the range of " + entry_.effect + ", " +
+                                     text(declaration->lower, declaration->upper) + " " +
                                      unit_in_words(declaration->unit));
     else if (start < bounds.first || start > bounds.second)
-      complain(".range." + name, "the start, " + format_quantity(start, "1") + ", lies outside " +
-                                     text(bounds.first, bounds.second) + "; give a start within it");
+      complain(".range." + name, "the start value, " + format_quantity(start, "1") + ", lies outside " +
+                                     text(bounds.first, bounds.second) + "is outside");
   }
 
   /// Patterns one by one first, so that each bad one is named at its place.

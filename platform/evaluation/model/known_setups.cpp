@@ -78,9 +78,11 @@ const KnownSetup& find_setup(const std::vector<KnownSetup>& setups, const std::s
     if (name == kNone && setup.name().empty()) return setup;
   if (!any_is_set(setups))
     throw_problem(
-        {}, fmt::format("there is no setup \"{}\": no [[target.recording]] sets a value or has one of its own", name));
-  throw_problem({}, fmt::format("there is no setup \"{}\"{}; the recordings have {}", name, did_you_mean(name, names),
-                                fmt::join(texts, "; ")));
+        {},
+        fmt::format("there is no setup \"{}\": no [[target.recording]] sets a value or has an unknown one of its own",
+                    name));
+  throw_problem({}, fmt::format("there is no setup \"{}\"{}; the recordings have the setups {}", name,
+                                did_you_mean(name, names), fmt::join(texts, "; ")));
 }
 
 std::string settings_text(const KnownSetup& setup) {
@@ -88,7 +90,7 @@ std::string settings_text(const KnownSetup& setup) {
   std::vector<std::string> texts;
   for (const KnownSetup::Setting& set : setup.settings)
     texts.push_back(fmt::format("{} = {:.6g}{}", set.address, set.value, set.unit == "1" ? "" : " " + set.unit));
-  for (const std::string& address : setup.own) texts.push_back(address + " fitted to it alone");
+  for (const std::string& address : setup.own) texts.push_back(address + " fitted to this setup alone");
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 

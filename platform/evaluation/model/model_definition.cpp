@@ -22,7 +22,7 @@ RobotSpec build_robot(const SystemSource& source, const PluginCatalog& catalog, 
     RobotSpec robot = guarded_call(plugin.origin, "build", [&] { return plugin->build(request); });
     const std::vector<std::string> problems = robot_problems(robot);
     for (const std::string& problem : problems)
-      complaints.add(source.key + ".robot", to_string(plugin.origin) + " makes a robot that cannot be: " + problem);
+      complaints.add(source.key + ".robot", to_string(plugin.origin) + " makes an invalid robot: " + problem);
     if (problems.empty()) return robot;
   } catch (const Error& error) {
     complaints.add(source.key + ".robot", error);

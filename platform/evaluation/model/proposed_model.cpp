@@ -76,7 +76,7 @@ std::string misfit(const ModelProposal& proposal, const ModelSpace& space) {
            std::to_string(space.free.size());
   if (proposal.robot)
     if (const std::string problem = misfit(*proposal.robot, space.robot); !problem.empty())
-      return "the robot that it built " + problem;
+      return "its robot " + problem;
   return misfit_of_effects(proposal.without, space.effects);
 }
 

@@ -61,12 +61,12 @@ class SetupBuilder {
       const PossibleValue& place = places_[p];
       complaints_.check_unit(key, place.value.unit);
       if (told_[p][f] == Told::set)
-        complaints_.add(key, "another key of this recording sets " + place.value.address + " too; keep one of them");
+        complaints_.add(key, "another key of this recording also sets " + place.value.address + "; keep one of them");
       if (!(given.value >= place.lower && given.value <= place.upper))
-        complaints_.add(
-            key, fmt::format("{} is no possible value of {} ({} to {})", format_quantity(given.value, place.value.unit),
-                             place.value.address, format_quantity(place.lower, place.value.unit),
-                             format_quantity(place.upper, place.value.unit)));
+        complaints_.add(key, fmt::format("{} is not a possible value of {} ({} to {})",
+                                         format_quantity(given.value, place.value.unit), place.value.address,
+                                         format_quantity(place.lower, place.value.unit),
+                                         format_quantity(place.upper, place.value.unit)));
       told_[p][f] = Told::set;
       setup.values.push_back({place.value.address, given.value});
     }
@@ -76,19 +76,19 @@ class SetupBuilder {
     const std::string key = fmt::format("{}.own[{}]", file.key, i);
     if (file.held_out)
       complaints_.add(key,
-                      "the recording is held out, so no fit can find a value of its own; set the value, or hold out "
-                      "only stretches of the recording: holdout = [[from, to]]");
+                      "the recording is held out, so no fit can find its value; set the value, or hold out only "
+                      "stretches of the recording: holdout = [[from, to]]");
     for (const std::size_t p : find(file.own[i], key)) {
       const PossibleValue& place = places_[p];
       if (told_[p][f] != Told::as_in_all) {
-        complaints_.add(key, fmt::format("{} is {} by this recording already; keep one of them", place.value.address,
+        complaints_.add(key, fmt::format("{} is already {} by this recording; keep one of the two", place.value.address,
                                          told_[p][f] == Told::set ? "set" : "named as unknown"));
         continue;
       }
       if (!place.is_bounded)
-        complaints_.add(key, fmt::format("nothing says within which bounds {0} is sought; give them in [model.free]: "
-                                         "\"{0}\" = [lower, upper]",
-                                         place.value.address));
+        complaints_.add(
+            key, fmt::format("{0} has no bounds for the fit; give them in [model.free]: \"{0}\" = [lower, upper]",
+                             place.value.address));
       told_[p][f] = Told::own;
       owned_.push_back(place.value);
       owned_.back().address = address_in_setup(place.value.address, file.setup.name);
@@ -111,16 +111,14 @@ class SetupBuilder {
     }
     if (source_.files.empty()) return;
     if (!is_owned)
-      complaints_.add("model.free." + free->address,
-                      free->address +
-                          " is set by every recording to be fitted, so none tells it; leave it out of what "
-                          "is free");
+      complaints_.add(
+          "model.free." + free->address,
+          free->address + " is set by every fit recording, so no data determine it; leave it out of [model.free]");
     else if (without)
-      complaints_.add_at(
-          without->location,
-          fmt::format("every recording to be fitted has a value of its own for {}, so nothing tells that "
-                      "of this held-out one; set it here, under [[target.recording]]",
-                      free->address));
+      complaints_.add_at(without->location,
+                         fmt::format("every fit recording has its own value of {}, so the value of this held-out "
+                                     "recording is unknown; set it here, under [[target.recording]]",
+                                     free->address));
     definition_.free.erase(free);
   }
 

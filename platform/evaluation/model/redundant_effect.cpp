@@ -79,8 +79,8 @@ std::string redundancy_of(const ModelDefinition& model, const std::string& id) {
   const std::vector<std::string> addresses = free_values_that_do(model, std::move(amended));
   if (addresses.empty()) return "";
   return fmt::format(
-      "{} is another word for {}, which the model leaves free: no data tell the two apart, only what they do together; "
-      "take one of them out",
+      "{} has the same influence as {}, which is a free value of the model: data determine only both together; remove "
+      "one of them",
       placed->name, fmt::join(addresses, ", "));
 }
 

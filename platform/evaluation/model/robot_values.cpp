@@ -112,8 +112,8 @@ FreeValue free_value(const AddressedValue& value, const FreeRange& range, const 
   if (source.free != "free" || is_within(start, range)) return free;
   const std::string bounds = source.key + "." + source.free + "." + range.pattern;
   const std::string beyond = fmt::format(
-      "{} lies outside {} to {}, the bounds that {} has at {}; write a value within them, widen them, or say there "
-      "where the fit starts: {{ range = [{}, {}], start = ... }}",
+      "{} lies outside {} to {}, the bounds that {} has at {}; write a value within these bounds, widen them, or set "
+      "the start of the fit there: {{ range = [{}, {}], start = ... }}",
       format_quantity(start, value.unit, kBoundDigits), format_quantity(range.lower, value.unit, kBoundDigits),
       format_quantity(range.upper, value.unit, kBoundDigits), bounds, to_string(complaints.where(bounds)), range.lower,
       range.upper);
@@ -148,7 +148,7 @@ void set_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& 
       assign_value(robot, values[i], value);
     else
       complaints.add(source.key + ".set." + pattern, format_quantity(value, values[i].unit) +
-                                                         " is no possible value of " + values[i].address + " (" +
+                                                         " is not a possible value of " + values[i].address + " (" +
                                                          bounds_text(values[i]) + ")");
   }
 }
@@ -170,7 +170,7 @@ std::vector<FreeValue> free_robot_values(RobotSpec& robot, const SystemSource& s
     if (range.lower >= values[i].lower && range.lower <= range.upper && range.upper <= values[i].upper)
       free.push_back(free_value(values[i], range, source, complaints));
     else
-      complaints.add(table + range.pattern, "the range goes beyond the possible values of " + values[i].address + " (" +
+      complaints.add(table + range.pattern, "the range exceeds the possible values of " + values[i].address + " (" +
                                                 bounds_text(values[i]) + ")");
   }
   return free;

@@ -31,8 +31,8 @@ void check_step_count(const Experiment& experiment, double duration, const std::
   if (!(steps > kMostSteps)) return;
   throw_problem(
       experiment.where("engine.step"),
-      fmt::format("engine.step: {}{} makes {:.2g} integration steps of each simulation {} ({}); the most is "
-                  "{:.0e}; choose engine.step = {:g} or more (s), best the interval of the readings",
+      fmt::format("engine.step: {}{} makes {:.2g} integration steps of each simulation {} ({}), more than {:.0e}; set "
+                  "engine.step = {:g} or more (s), best to the interval of the readings",
                   format_quantity(step, "s"), substeps > 1 ? fmt::format(" in {} substeps", substeps) : "", steps, what,
                   format_quantity(duration, "s"), kMostSteps, power_of_ten_above(duration * substeps / kMostSteps)));
 }

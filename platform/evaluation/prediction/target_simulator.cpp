@@ -60,7 +60,7 @@ Trial TargetSimulator::simulate(const Test& test) const {
   options.record_centre_of_mass = true;
   SimulationResult& result = desk_->result;
   model_->simulate(hidden_, test, options, *desk_->workspace, result);
-  if (result.ending != Ending::completed) throw Error("the target cannot carry the test out: " + result.reason);
+  if (result.ending != Ending::completed) throw Error("the target cannot carry out the test: " + result.reason);
 
   Trial trial;
   trial.commands = {result.commands, Hold::zero_order};

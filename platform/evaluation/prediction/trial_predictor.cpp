@@ -22,11 +22,11 @@ void check_shape(const Trial& trial, const CompiledModel& model) {
   const TimeSeries& measured = trial.measured;
   if (measured.samples.rows() != measured.times.size() ||
       measured.samples.cols() != static_cast<Eigen::Index>(measured.channels.size()))
-    throw Error("trial " + trial.name + ": its samples do not fit its times and channels");
+    throw Error("trial " + trial.name + ": the size of its samples does not match its times and channels");
   if (measured.times.size() == 0) throw Error("trial " + trial.name + " has no samples; leave its file out");
   if (!trial.initial.empty() && trial.initial.size() != model.coordinates().size())
-    throw Error("trial " + trial.name + " says where " + std::to_string(trial.initial.size()) +
-                " joint coordinates start, but the model has " + std::to_string(model.coordinates().size()));
+    throw Error("trial " + trial.name + " gives initial values for " + std::to_string(trial.initial.size()) +
+                " joint coordinates, but the model has " + std::to_string(model.coordinates().size()));
 }
 
 bool starts_at_rest(const Trial& trial) {
@@ -149,7 +149,7 @@ void TrialPredictor::predict(const Stretch& stretch, std::span<const double> val
   align_orientations(stretch, prediction.samples);
   if (!prediction.samples.allFinite()) {
     prediction.valid = false;
-    prediction.reason = "the model reads values that are not finite";
+    prediction.reason = "the model predicts readings that are not finite";
   }
 }
 

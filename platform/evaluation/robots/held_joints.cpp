@@ -46,7 +46,7 @@ std::set<std::string> joints_held(const RobotSpec& robot, const Experiment& expe
     }
     if (!found)
       problems.add(experiment.where(fmt::format("{}.held[{}]", key, i)),
-                   fmt::format("\"{}\" names no joint of the robot; write one such as \"joint.{}\"", section.held[i],
+                   fmt::format("the robot has no joint \"{}\"; write one such as \"joint.{}\"", section.held[i],
                                robot.joints.empty() ? "NAME" : robot.joints.front().name));
   }
   return held;
@@ -60,7 +60,7 @@ void hold_joints(RobotSpec& robot, const Experiment& experiment, const ModelSect
   for (const CouplingSpec& coupling : robot.couplings)
     if (held.contains(coupling.joint) != held.contains(coupling.follows))
       problems.add(experiment.where(key + ".held"),
-                   fmt::format("joints {} and {} move together, and only one of them is held; hold both",
+                   fmt::format("joints {} and {} move together, but only one of them is held; hold both",
                                coupling.joint, coupling.follows));
   std::erase_if(robot.couplings, [&](const CouplingSpec& one) { return held.contains(one.joint); });
   std::erase_if(robot.actuators, [&](const ActuatorSpec& one) { return held.contains(one.joint); });

@@ -41,7 +41,7 @@ void set_drives(RobotSpec& robot, const Experiment& experiment, const ModelSecti
     }
     if (!found)
       problems.add(experiment.where(key + ".actuator_kinds"),
-                   fmt::format("\"{}\" names no actuator of the robot; write one such as \"actuator.{}\"", pattern,
+                   fmt::format("the robot has no actuator \"{}\"; write one such as \"actuator.{}\"", pattern,
                                robot.actuators.empty() ? "NAME" : robot.actuators.front().name));
   }
 }

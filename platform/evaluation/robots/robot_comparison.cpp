@@ -58,11 +58,11 @@ void compare_joints(const RobotSpec& wanted, const RobotSpec& other, std::vector
     const JointSpec* there = called(other.joints, joint.name);
     if (!there) continue;
     if (there->kind != joint.kind || there->parent != joint.parent || there->child != joint.child)
-      sentences.push_back("joint " + joint.name + " is of another kind in the file, or between other bodies");
+      sentences.push_back("joint " + joint.name + " has another kind in the file, or connects other bodies");
     else if (joint.kind != JointKind::free && joint.kind != JointKind::fixed &&
              ((joint.anchor - there->anchor).cross(joint.axis).norm() > kSamePlace ||
               (joint.axis - there->axis).norm() > kSamePlace))
-      sentences.push_back("joint " + joint.name + " stands elsewhere in the file");
+      sentences.push_back("joint " + joint.name + " has another place in the file");
   }
 }
 
@@ -76,7 +76,7 @@ void compare_channels(const RobotSpec& wanted, const RobotSpec& other, std::vect
     const ActuatorSpec* there = called(other.actuators, actuator.name);
     if (there &&
         (there->kind != actuator.kind || there->joint != actuator.joint || there->relative != actuator.relative))
-      sentences.push_back("actuator " + actuator.name + " is of another kind in the file");
+      sentences.push_back("actuator " + actuator.name + " has another kind in the file");
   }
   for (const SensorSpec& sensor : wanted.sensors) {
     const SensorSpec* there = called(other.sensors, sensor.name);
@@ -84,9 +84,9 @@ void compare_channels(const RobotSpec& wanted, const RobotSpec& other, std::vect
     const BodySpec *body = called(wanted.bodies, sensor.element), *body_there = called(other.bodies, sensor.element);
     if (there->kind != sensor.kind || there->element != sensor.element || there->relative != sensor.relative ||
         (sensor.at - there->at).norm() > kSamePlace)
-      sentences.push_back("sensor " + sensor.name + " reads something else in the file");
+      sentences.push_back("sensor " + sensor.name + " measures something else in the file");
     else if (reads_a_body(sensor.kind) && body && body_there && !same_frame(*body, *body_there))
-      sentences.push_back("sensor " + sensor.name + " reads a frame that stands elsewhere in the file");
+      sentences.push_back("sensor " + sensor.name + " measures a frame with another place in the file");
   }
 }
 

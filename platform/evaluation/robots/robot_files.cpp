@@ -51,16 +51,16 @@ const NamedFormat& format_for(const std::filesystem::path& file, const std::stri
       return *format;
   if (!possible.empty()) return *possible.front();
   if (file.extension() == ".xacro")
-    throw_problem({file.string(), 0, 0}, "is a xacro file, which tells how to make a URDF; type xacro " +
+    throw_problem({file.string(), 0, 0}, "is a xacro file, from which a URDF is made; type xacro " +
                                              file.filename().string() + " > " + file.stem().stem().string() +
                                              ".urdf and name that");
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
-  throw_problem({file.string(), 0, 0},
-                fmt::format("is no robot file that can be read: its name ends with none of {}; give "
-                            "it the ending of its format (of xacro write: xacro arm.xacro -o "
-                            "arm.urdf), and name recordings in target.files or by --from",
-                            fmt::join(known, ", ")));
+  throw_problem(
+      {file.string(), 0, 0},
+      fmt::format("cannot be read as a robot file: its name ends with none of {}; give it the ending of its format (of "
+                  "xacro write: xacro arm.xacro -o arm.urdf), and name recordings in target.files or by --from",
+                  fmt::join(known, ", ")));
 }
 
 const char* word_of(RobotRemarkKind kind) {
@@ -138,7 +138,7 @@ void refuse_base(const Experiment& experiment, const ModelSection& section, cons
                  ProblemList& problems) {
   if (section.base != RobotBase::as_written && section.declared && !section.foreign_text)
     problems.add(experiment.where(key + ".base"),
-                 "is for robots in URDF or MJCF; in a TOML robot a body floats that is no joint's child");
+                 "is for robots in URDF or MJCF; in a TOML robot, a body that is not the child of a joint floats");
   if (!section.drive.empty() && section.declared && !section.foreign_text)
     problems.add(experiment.where(key + ".actuator_kinds"),
                  "is for robots in URDF or MJCF; in a TOML robot write the kind of the actuator, as in kind = "

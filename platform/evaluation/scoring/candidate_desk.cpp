@@ -64,7 +64,9 @@ const CandidateDesk::Bench& CandidateDesk::bench_of(const ModelProposal& candida
     return *benches.back();
   }
   if (!definition_)
-    throw Error("a robot of its own, or one without some effects, can be simulated by the algorithm's phases only");
+    throw Error(
+        "a model with its own robot, or without some of the effects, can only be simulated in the phases of the "
+        "algorithm");
   benches.push_back(std::make_unique<Bench>(candidate, *definition_));
   if (benches.size() > most) benches.erase(benches.begin());
   return *benches.back();

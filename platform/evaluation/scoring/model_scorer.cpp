@@ -100,7 +100,7 @@ ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> tr
     maps_.push_back(match_channels(scored.trial, model.channels()));
     if (scored.trial.measured.channels.size() != trials_.front().trial.measured.channels.size())
       throw Error("trial " + scored.trial.name + " measures other channels than trial " + trials_.front().trial.name +
-                  "; one score needs the same channels in all of them");
+                  "; one score needs the same channels in all trials");
   }
   if (definition) lags_ = LagProfile(*definition, profiled, trials_);
   const auto accumulator = [&](std::span<const ScoredTrial> of) {
@@ -157,16 +157,17 @@ void ModelScorer::score(const ModelProposal& candidate, std::optional<double> ba
 
 /// The metric's score, or its bound, of a candidate all of whose simulations came to their end.
 std::string ModelScorer::why_not_finite(const Desk& desk, double score) const {
-  if (!desk.reads_finite) return "the model reads values that are not finite";
+  if (!desk.reads_finite) return "the model predicts readings that are not finite";
   const bool measured = std::any_of(trials_.begin(), trials_.end(), [](const ScoredTrial& scored) {
     return scored.trial.measured.samples.bottomRows(static_cast<Eigen::Index>(scored_samples(scored)))
         .array()
         .isFinite()
         .any();
   });
-  if (!measured) return "nothing was measured that a score could be made of";
-  return fmt::format("{}: its score is {}, though all that the model reads is finite{}", to_string(metric_.origin),
-                     score, std::isnan(score) ? kFaultOfPlugin : ": the error is too large for it, or it is faulty");
+  if (!measured) return "no trial has a reading from which a score could be computed";
+  return fmt::format("{}: its score is {}, although all readings of the model are finite{}", to_string(metric_.origin),
+                     score,
+                     std::isnan(score) ? kFaultOfPlugin : ": the error is too large for it, or the metric is faulty");
 }
 
 void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {

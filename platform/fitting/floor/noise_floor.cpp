@@ -54,7 +54,8 @@ Eigen::VectorXd rms(const std::vector<Departure>& draws, Eigen::Index channels, 
 }
 
 std::string part(const std::string& cause, double size, const std::string& unit) {
-  if (std::isnan(size)) return "; what " + cause + " adds is not known, for no run with it could be simulated";
+  if (std::isnan(size))
+    return "; the contribution of " + cause + " is unknown, because no run with it could be simulated";
   return size > 0.0 ? "; " + cause + " adds " + format_quantity(size, unit) : "";
 }
 

@@ -57,8 +57,7 @@ std::string what_remains(const std::vector<Part>& parts) {
 }
 
 std::string sentence(const std::vector<Part>& parts) {
-  if (parts.size() == 1)
-    return "the data do not show " + parts[0].name + ": no value within its bounds would be noticed";
+  if (parts.size() == 1) return "the data do not determine " + parts[0].name + ": any value within its bounds fits";
   if (parts.size() == 2)
     return "the data cannot tell " + parts[0].name + " from " + parts[1].name + " (" + what_remains(parts) + ")";
   return "the data cannot tell " + names_of(parts) + " apart (" + what_remains(parts) + ")";

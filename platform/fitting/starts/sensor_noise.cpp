@@ -79,11 +79,11 @@ Figure from_second_differences(const std::vector<Trial>& trials, const std::stri
   }
   const double resolution = std::numeric_limits<double>::epsilon() * std::max(largest, 1e-6);
   if (deviation > resolution)
-    return {
-        deviation,
-        "from the recording's second differences, nothing is declared and nothing rests; fast motion counts as noise",
+    return {deviation,
+            "from second differences of the recording, because no noise is declared and the channel never rests; fast "
+            "motion counts as noise",
         true};
-  return {resolution, "resolution of a double, the recording shows no noise", true};
+  return {resolution, "rounding error; the recording shows no noise", true};
 }
 
 const SensorSpec* touch_sensor(const RobotSpec& robot, const std::string& channel) {
@@ -109,7 +109,7 @@ Figure from_switches(const std::vector<Trial>& trials, const SensorSpec& sensor)
     }
   const double apart = 2.0 * std::abs(sensor.scale);
   const double share = 0.5 * std::max(switches, 1.0) / std::max(samples, 1.0);
-  return {apart * std::sqrt(share), "one sample beside each change of touch is uncertain"};
+  return {apart * std::sqrt(share), "the sample beside each change of touch is uncertain"};
 }
 
 ChannelNoise noise_of(const RobotSpec& robot, const std::vector<Trial>& trials, const Channel& channel) {

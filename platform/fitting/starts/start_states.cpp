@@ -42,18 +42,18 @@ std::size_t depth_of(const RobotSpec& robot, const JointSpec& joint) {
 
 /// What a robot's state holds besides its joint coordinates and what was commanded.
 std::string hidden_state(const RobotSpec& robot, const StateLayout& layout) {
-  if (has_floating_body(robot)) return "the robot has a body that floats";
+  if (has_floating_body(robot)) return "the robot has a floating body";
   const auto holds = [&](const char* name) {
     return std::any_of(layout.begin(), layout.end(),
                        [&](const StateSection& section) { return section.name == name && section.size > 0; });
   };
   if (holds("sensor_delays")) return "a sensor's readings are delayed";
-  if (holds("effects")) return "an effect has a state of its own";
+  if (holds("effects")) return "an effect has an internal state";
   for (const ActuatorSpec& actuator : robot.actuators) {
     if (actuator.kind == ActuatorKind::pid && actuator.ki != 0.0)
       return "actuator." + actuator.name + " integrates its error";
     if (std::isfinite(actuator.transmission.stiffness))
-      return "the rotor of actuator." + actuator.name + " moves by itself";
+      return "the rotor of actuator." + actuator.name + " moves independently of the joint";
   }
   return {};
 }

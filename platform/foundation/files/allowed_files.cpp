@@ -57,7 +57,7 @@ std::vector<fs::path> AllowedFiles::of_the_program() {
 std::string AllowedFiles::refusal(const fs::path& file, const std::vector<fs::path>& besides) const {
   const fs::path place = place_of(file);
   if (!are_limited() || lies_in_one_of(place, folders_) || lies_in_one_of(place, besides)) return {};
-  return fmt::format("lies outside of {}, the folder that lacuna mcp was started in; name a file in this folder",
+  return fmt::format("lies outside {}, the folder in which lacuna mcp was started; name a file in this folder",
                      folders_.front().string());
 }
 

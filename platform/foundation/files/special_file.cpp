@@ -41,7 +41,7 @@ std::string why_no_regular_file(const fs::path& file) {
   if (fs::is_regular_file(status)) return {};
   if (fs::is_directory(status)) return "is a folder, not a file";
   if (const std::string special = special_file(file); !special.empty()) return "is " + special + ", not a regular file";
-  if (failure && status.type() != fs::file_type::not_found) return "cannot be looked at: " + failure.message();
+  if (failure && status.type() != fs::file_type::not_found) return "cannot be read: " + failure.message();
   return "no such file";
 }
 

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr mode_t kNewFile = 0666;  // without what the umask takes away
 constexpr mode_t kPermissions = 07777;
 
-constexpr const char* kNobodyReads = "it is a pipe that nobody reads; start its reader first, or name a file";
+constexpr const char* kNobodyReads = "it is a pipe without a reader; start its reader first, or name a file";
 
 [[noreturn]] void fail(const fs::path& file) {
   if (errno == ENXIO) throw Error(file.string() + ": cannot be written: " + kNobodyReads);
@@ -190,8 +190,8 @@ WholeFile::~WholeFile() {
 void WholeFile::finish() {
   if (stream_.flush() && (direct_ || ::fsync(buffer_->fd()) == 0)) return;
   throw Error(file_.string() +
-              ": cannot be written to its end; check that its folder is writable and the disk not full" +
-              (direct_ ? "" : "; what was there before is kept"));
+              ": cannot be written completely; check that its folder is writable and the disk not full" +
+              (direct_ ? "" : "; the previous content is kept"));
 }
 
 /// False where something has that name.
@@ -276,7 +276,7 @@ std::optional<std::string> why_not_writable_into(const fs::path& folder) {
   if (::access(folder.c_str(), W_OK) != 0) return fmt::format("folder {}: {}", folder.string(), std::strerror(errno));
   const Draft probe = open_draft(folder, kNewFile);
   if (probe.descriptor < 0)
-    return fmt::format("folder {} takes no new files: {}", folder.string(), std::strerror(errno));
+    return fmt::format("folder {} cannot be written to: {}", folder.string(), std::strerror(errno));
   if (!probe.name.empty()) ::unlink(probe.name.c_str());
   ::close(probe.descriptor);
   return std::nullopt;

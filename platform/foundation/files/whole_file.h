@@ -65,8 +65,7 @@ void write_whole(const std::filesystem::path& file, std::string_view text, Link 
                  Existing existing = Existing::replaced);
 
 /// What is wrong with a name whose symbolic links lead to no file, only to each other.
-inline constexpr const char* kCircleOfLinks =
-    "its symbolic links lead in a circle; remove the link, or name another file";
+inline constexpr const char* kCircleOfLinks = "its symbolic links form a circle; remove the link or name another file";
 
 /// The absolute name of the file that a name leads to, which need not be there yet: without links, `.` and `..`.
 std::filesystem::path place_of(const std::filesystem::path& file);

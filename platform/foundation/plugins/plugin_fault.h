@@ -6,7 +6,7 @@ namespace lacuna {
 
 /// Ends the sentence about a plugin that failed in one of its calls.
 inline constexpr std::string_view kFaultOfPlugin =
-    "; that is a fault of the plugin: repair it, or do without this component";
+    "; that is a fault of the plugin: repair it or leave this component out";
 
 /// Whether a sentence says that a plugin failed, rather than that it refused what it was asked for.
 inline bool blames_plugin(std::string_view reason) {

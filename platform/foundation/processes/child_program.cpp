@@ -110,7 +110,7 @@ bool is_over(pid_t process) {
 }  // namespace
 
 CapturedOutput::CapturedOutput(const char* name) : file_(memfd_create(name, MFD_CLOEXEC)) {
-  if (file_ < 0) throw Error(fmt::format("no room for a program's output: {}", strerror(errno)));
+  if (file_ < 0) throw Error(fmt::format("no memory for a program's output: {}", strerror(errno)));
   fcntl(file_, F_SETFL, O_APPEND);  // a child shares the place in the file, which is moved here
   keeper_ = std::jthread([this](const std::stop_token& stop) {
     std::mutex unused;

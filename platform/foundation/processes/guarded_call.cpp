@@ -54,7 +54,7 @@ std::string reason_of_current_exception(std::string_view what) {
     return words_of(error);
   } catch (const std::bad_alloc&) {
     return std::string(what) + " ran out of memory: " + no_memory_sentence() +
-           "; if it is the plugin that takes it all, repair the plugin";
+           "; if the plugin takes all of it, repair the plugin";
   } catch (const std::exception& error) {
     return fault(what, type_name(&typeid(error)) + " (" + words_of(error) + ")");
   } catch (...) {

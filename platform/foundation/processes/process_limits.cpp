@@ -57,11 +57,11 @@ void write_memory_sentence(std::array<char, 300>& text) {
   const rlim_t space = most_memory();
   if (space == RLIM_INFINITY)
     std::snprintf(text.data(), text.size(),
-                  "there is not enough memory for this command; give it more, fewer --threads, or less data");
+                  "there is not enough memory for this command; give it more memory, fewer --threads or less data");
   else
     std::snprintf(text.data(), text.size(),
-                  "there is not enough memory for this command, which may use %.0f MiB (ulimit -v %llu); raise that "
-                  "limit, or give fewer --threads or less data",
+                  "there is not enough memory for this command, which may use %.0f MiB (ulimit -v %llu); raise this "
+                  "limit, or give it fewer --threads or less data",
                   static_cast<double>(space) / 1048576.0, static_cast<unsigned long long>(space / 1024));
 }
 
@@ -69,14 +69,12 @@ void write_memory_sentence(std::array<char, 300>& text) {
 
 void prepare_limits() {
   if (const rlim_t files = raised(RLIMIT_NOFILE, kWantedFiles); files < kFewestFiles)
-    throw Error(
-        fmt::format("only {} files may be open at once (ulimit -n), too few for this program; allow {} or more: "
-                    "ulimit -n {}",
-                    files, kFewestFiles, kWantedFiles));
+    throw Error(fmt::format(
+        "the limit of open files is {} (ulimit -n), too few for this program; allow {} or more: ulimit -n {}", files,
+        kFewestFiles, kWantedFiles));
   if (const rlim_t stack = raised(RLIMIT_STACK, kWantedStack); stack < kSmallestStack)
     throw Error(
-        fmt::format("the stack may be only {} kB large (ulimit -s), too small for this program; allow {} or "
-                    "more: ulimit -s {}",
+        fmt::format("the stack limit is {} kB (ulimit -s), too small for this program; allow {} or more: ulimit -s {}",
                     stack / 1024, kSmallestStack / 1024, kWantedStack / 1024));
   raise_stacks_of_threads();
 }
@@ -91,8 +89,8 @@ std::string crash_for_want_of_memory() {
   const rlim_t space = most_memory();
   if (space == RLIM_INFINITY) return {};
   return fmt::format(
-      "it may use {} MiB of memory (ulimit -v {}), and a stack that cannot grow ends a process so: raise "
-      "that limit",
+      "it may use {} MiB of memory (ulimit -v {}), and a stack that cannot grow ends a process in this way: raise this "
+      "limit",
       space >> 20U, space >> 10U);
 }
 
@@ -100,7 +98,7 @@ std::string failure_sentence(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return no_memory_sentence();
   const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
   if (of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again)
-    return "a thread could not be begun: " + no_memory_sentence();
+    return "a thread could not be started: " + no_memory_sentence();
   return error.what();
 }
 
@@ -127,7 +125,7 @@ std::string used_up_processor_time() {
   if (most == RLIM_INFINITY || getrusage(RUSAGE_CHILDREN, &used) != 0) return {};
   const auto seconds = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1);
   if (seconds < most) return {};
-  return fmt::format("it may use {} s of processor time (ulimit -t), and has used them", most);
+  return fmt::format("it used up its processor time of {} s (ulimit -t)", most);
 }
 
 }  // namespace lacuna

@@ -172,8 +172,7 @@ void ProcessState::set_back_arithmetic(Changes& changes) const {
     set_floating_point_control(arithmetic_);
     if ((changed & kRounding) != 0) changes.emplace_back("the rounding of floating-point numbers (fesetround)");
     if ((changed & kNearZero) != 0)
-      changes.emplace_back(
-          "the arithmetic near zero (denormal numbers count as 0, as in what is linked with -ffast-math or -Ofast)");
+      changes.emplace_back("the arithmetic near zero (denormal numbers count as 0, as with -ffast-math or -Ofast)");
     if ((changed & ~(kRounding | kNearZero)) != 0)
       changes.emplace_back("which floating-point errors raise a signal (feenableexcept)");
   }

@@ -92,14 +92,14 @@ std::string enumerated(const std::vector<std::string>& changes) {
 }
 
 ProcessChanged::ProcessChanged(const std::string& deed)
-    : Error(deed + "; it was set back; that is a fault of the plugin: repair it, or do without this component"),
+    : Error(deed + "; it was set back; that is a fault of the plugin: repair it or leave this component out"),
       deed_(deed) {}
 
 void throw_if_process_changed(const char* what) {
   // What a component does the first time is found of that call, whatever that is worth in time.
   const bool at_once = is_first_call(own_call_slot().component, what);
   if (const std::string changed = found(at_once); !changed.empty())
-    throw ProcessChanged(std::string(what) + " changed " + changed + ", which other code relies on");
+    throw ProcessChanged(std::string(what) + " changed " + changed + ", on which other code relies");
 }
 
 void CallAftermath::set_back() noexcept {

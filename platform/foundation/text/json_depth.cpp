@@ -33,8 +33,7 @@ bool nests_too_deep(std::string_view json) {
 
 const std::string& shallow_json(const std::string& json) {
   if (nests_too_deep(json))
-    throw Error(fmt::format("JSON nests arrays and objects more than {} levels deep; send or store less deep ones",
-                            kDeepestJson));
+    throw Error(fmt::format("JSON nests arrays and objects more than {} levels deep; use fewer levels", kDeepestJson));
   return json;
 }
 

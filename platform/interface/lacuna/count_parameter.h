@@ -13,7 +13,7 @@ namespace lacuna {
 /// or below 0.
 inline std::size_t count_parameter(const ParameterDeclaration& declaration, double value) {
   if (value >= 0.0 && value < 0x1.0p53 && std::floor(value) == value) return static_cast<std::size_t>(value);
-  throw Error(declaration.name + " = " + std::to_string(value) + " counts something; give it a whole number, such as " +
+  throw Error(declaration.name + " = " + std::to_string(value) + " is a count; give it a whole number, such as " +
               std::to_string(std::llround(declaration.default_value)));
 }
 

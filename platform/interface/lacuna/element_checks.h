@@ -13,13 +13,13 @@ inline ActuatorSpec& actuator_of_force(RobotSpec& robot, int actuator) {
   ActuatorSpec& spec = robot.actuators[static_cast<std::size_t>(actuator)];
   if (spec.kind != ActuatorKind::force)
     throw Error("actuator." + spec.name +
-                " is a servo, whose command is no force; place the effect on actuators of kind force");
+                " is a servo, whose command is not a force; place the effect on actuators of kind force");
   return spec;
 }
 
 /// For effects that amend how bodies and ground touch. Throws `Error` for a robot without ground.
 inline ContactSpec& contact_with_ground(RobotSpec& robot) {
-  if (!robot.contact.ground) throw Error("the robot has no ground to touch; the effect needs contact.ground");
+  if (!robot.contact.ground) throw Error("the robot has no ground; the effect needs contact.ground");
   return robot.contact;
 }
 

@@ -37,7 +37,7 @@ class GenerationalSearch : public Search {
   /// NaN counts as infinite. Throws `Error` where there is not one score for each individual asked.
   void tell(std::span<const double> scores) final {
     if (asked_.empty() || scores.size() != asked_.size())
-      throw Error("the search was told " + std::to_string(scores.size()) + " scores; it asked for " +
+      throw Error("the search received " + std::to_string(scores.size()) + " scores; it asked for " +
                   std::to_string(asked_.size()));
     std::vector<ScoredIndividual> told;
     for (std::size_t i = 0; i < scores.size(); ++i)

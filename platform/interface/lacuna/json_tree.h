@@ -27,7 +27,7 @@ class JsonTree {
     skip_space();
     read_value({}, tree);
     skip_space();
-    if (!fault_ && next_ != end_) fault_ = "something follows its end";
+    if (!fault_ && next_ != end_) fault_ = "text follows its end";
     if (!fault_) return {};
     return std::string(fault_) + " at character " + std::to_string(next_ - begin_ + 1);
   }
@@ -55,7 +55,7 @@ class JsonTree {
 
   bool read_value(std::string_view key, ValueTree& tree) {
     skip_space();
-    if (at_end()) return fail("it breaks off");
+    if (at_end()) return fail("it ends too early");
     switch (*next_) {
       case '{': return read_object(key, tree);
       case '[': return read_list(key, tree);
@@ -65,7 +65,7 @@ class JsonTree {
       case 'N': return read_word("NaN", key, std::numeric_limits<double>::quiet_NaN(), tree);
       case 'I': return read_word("Infinity", key, std::numeric_limits<double>::infinity(), tree);
       case 'n':
-        if (!take_word("null")) return fail("there is no value");
+        if (!take_word("null")) return fail("a value is missing");
         tree.add_nothing(key);
         return true;
       default: return read_number(key, tree);
@@ -73,7 +73,7 @@ class JsonTree {
   }
 
   bool read_word(std::string_view word, std::string_view key, double value, ValueTree& tree) {
-    if (!take_word(word)) return fail("there is no value");
+    if (!take_word(word)) return fail("a value is missing");
     tree.add_number(key, value);
     return true;
   }
@@ -93,15 +93,15 @@ class JsonTree {
     do {
       if (!read_member(tree)) return false;
     } while (take(','));
-    return take('}') ? close(tree) : fail("a comma or } should stand");
+    return take('}') ? close(tree) : fail("a comma or } is missing");
   }
 
   bool read_member(ValueTree& tree) {
     std::string_view name;
     skip_space();
-    if (at_end() || *next_ != '"') return fail("a name in quotes should stand");
+    if (at_end() || *next_ != '"') return fail("a name in quotes is missing");
     if (!read_text(name, tree)) return false;
-    return take(':') ? read_value(name, tree) : fail("a colon should stand");
+    return take(':') ? read_value(name, tree) : fail("a colon is missing");
   }
 
   bool read_list(std::string_view key, ValueTree& tree) {
@@ -112,7 +112,7 @@ class JsonTree {
     do {
       if (!read_value({}, tree)) return false;
     } while (take(','));
-    return take(']') ? close(tree) : fail("a comma or ] should stand");
+    return take(']') ? close(tree) : fail("a comma or ] is missing");
   }
 
   static bool close(ValueTree& tree) {
@@ -131,17 +131,17 @@ class JsonTree {
     const char* const digits = next_;
     skip_digits();
     const auto count = next_ - digits;
-    if (count == 0) return give_back(start, "there is no value");
+    if (count == 0) return give_back(start, "a value is missing");
     if (count > 1 && *digits == '0') return give_back(start, "a number begins with 0");
     const char* const whole_end = next_;
     if (!at_end() && *next_ == '.') {
       ++next_;
       const char* const part = next_;
       skip_digits();
-      if (next_ == part) return give_back(start, "a number ends with its point");
+      if (next_ == part) return give_back(start, "a number ends with a decimal point");
     }
     const bool has_exponent = !at_end() && (*next_ == 'e' || *next_ == 'E');
-    if (has_exponent && !skip_exponent()) return give_back(start, "a number has no exponent behind its e");
+    if (has_exponent && !skip_exponent()) return give_back(start, "a number has no exponent after its e");
     tree.add_number(key, number_of(start, whole_end, has_exponent, count > kFewestLongDigits));
     return true;
   }
@@ -209,7 +209,7 @@ class JsonTree {
     const char escape = *next_++;
     if (escape == 'u') return read_code_unit(into);
     const std::size_t known = kNames.find(escape);
-    if (known == kNames.npos) return fail("a text has an escape that JSON does not know");
+    if (known == kNames.npos) return fail("a text has an unknown escape");
     into += kMeant[known];
     return true;
   }
@@ -217,10 +217,10 @@ class JsonTree {
   /// A code point beyond 0xffff is written as two code units; a half that is alone becomes a question mark.
   bool read_code_unit(std::string& into) {
     unsigned code = 0;
-    if (!read_hex(code)) return fail("a text has \\u without four digits");
+    if (!read_hex(code)) return fail("a text has \\u without four hexadecimal digits");
     if (code >= 0xd800 && code < 0xdc00 && take_word("\\u")) {
       unsigned low = 0;
-      if (!read_hex(low)) return fail("a text has \\u without four digits");
+      if (!read_hex(low)) return fail("a text has \\u without four hexadecimal digits");
       code = low >= 0xdc00 && low < 0xe000 ? 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00) : '?';
     }
     if (code >= 0xd800 && code < 0xe000) code = '?';

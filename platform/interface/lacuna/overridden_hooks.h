@@ -12,7 +12,7 @@ template <class Effect, class Own, class Result, class... Arguments>
 consteval bool overrides(Own, Result (PhysicalEffect::*)(Arguments...) const) {
   static_assert(std::is_convertible_v<Own, Result (Effect::*)(Arguments...) const>,
                 "a hook of this effect has other arguments than PhysicalEffect's and would never be called: write "
-                "`override` behind it and take the arguments from lacuna/physical_effect.h");
+                "`override` after it and take the arguments from lacuna/physical_effect.h");
   return !std::is_same_v<Own, Result (PhysicalEffect::*)(Arguments...) const>;
 }
 

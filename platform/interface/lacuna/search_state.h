@@ -72,7 +72,9 @@ class SearchStateReader {
 
  private:
   [[noreturn]] static void refuse() {
-    throw Error("the stored state is not one of this search; begin the search anew, or use the settings it began with");
+    throw Error(
+        "the stored state belongs to another search or other settings; begin the search anew, or use the settings it "
+        "began with");
   }
 
   std::span<const double> rest_;
