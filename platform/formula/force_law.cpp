@@ -203,12 +203,12 @@ class LawBuilder {
       if (e.kind != Kind::parameter || declared(law, e.name)) return;
       const double start = values_.at(e.name), reach = rounded(kReach * std::abs(start));
       LawParameter parameter{e.name, units_.emplace(e.name, "1").first->second, start, -reach, reach, start,
-                             false,  "A scale inside of " + formula_text(rest)};
+                             false,  "A scale inside " + formula_text(rest)};
       if (roles_.all().at(e.name) == Role::scale) {
         parameter.lower = rounded(start / kReach);
         parameter.logarithmic = true;
       } else if (roles_.all().at(e.name) == Role::summand) {
-        parameter.description = "A shift inside of " + formula_text(rest);
+        parameter.description = "A shift inside " + formula_text(rest);
       } else {  // the second of two names that multiply a term
         parameter.description = "A further factor of " + formula_text(rest);
       }

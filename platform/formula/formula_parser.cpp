@@ -155,8 +155,7 @@ class Parser {
       complain(opening.column, opened + " has no matching ); add one");
       throw Fault{};
     }
-    if (!is("an operator is missing before \""))
-      fail("a sign is missing before \"" + now().text + "\"; write products with *");
+    if (!is(")")) fail("an operator is missing before \"" + now().text + "\"; write products with *");
     take();
     return inner;
   }
@@ -215,9 +214,8 @@ class Parser {
 
 std::optional<Expression> parse_formula(const std::string& text, ProblemList& problems) {
   if (text.size() > kLongest) {
-    problems.add(formula_place(static_cast<int>(kLongest)),
-                 "the formula is longer than " + std::to_string(kLongest) +
-                     " characters; use an effect with several plugins instead");
+    problems.add(formula_place(static_cast<int>(kLongest)), "the formula is longer than " + std::to_string(kLongest) +
+                                                                " characters; split it into several effects");
     return std::nullopt;
   }
   ProblemList found;

@@ -236,8 +236,8 @@ std::vector<NamedElement> named_elements(const RobotSpec& robot) {
 std::string nothing_matches(const std::string& pattern, const std::vector<NamedElement>& elements) {
   std::vector<std::string> addresses;
   for (const NamedElement& element : elements) addresses.push_back(element.address);
-  return "\" matches no element of the robot" + pattern + "\" matches nothing of the robot" +
-         did_you_mean(pattern, addresses) + "; it has " + nearest_names(pattern, addresses) +
+  return "\"" + pattern + "\" matches nothing of the robot" + did_you_mean(pattern, addresses) + "; it has " +
+         nearest_names(pattern, addresses) +
          (addresses.size() > kMostNearest ? "; lacuna check FILE lists its joints, actuators and sensors" : "");
 }
 

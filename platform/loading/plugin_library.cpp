@@ -57,8 +57,7 @@ std::string loader_complaint(std::string_view message) {
   if (const auto end = message.rfind("):"); end != message.npos) message = message.substr(0, end);
   const auto undefined = message.find(kUndefined);
   if (undefined == message.npos)
-    return "); install the missing library or build it again" + std::string(message) +
-           "); install what it needs or build it again";
+    return "cannot be loaded (" + std::string(message) + "); install the missing library or build it again";
   std::string symbol(message.substr(undefined + kUndefined.size()));
   symbol = symbol.substr(0, symbol.find_first_of(", \t"));
   return "cannot be loaded: it calls " + boost::core::demangle(symbol.c_str()) +

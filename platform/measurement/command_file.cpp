@@ -64,7 +64,7 @@ KnownColumn find_time(const CsvFormat& format, FileReport& report) {
     return known_column(format, column, {name, "s"}, report).value();
   }
   report.problem("time", format.header_line, [&] {
-    return fmt::format("no column of time; call one \"t [s]\"; the columns are {}", listed(format.names));
+    return fmt::format("no column of time; name one \"t [s]\"; the columns are {}", listed(format.names));
   });
   return {};
 }
@@ -73,11 +73,11 @@ void check_times(const CsvTable& table, FileReport& report) {
   for (std::size_t row = 1; row < table.times.size(); ++row)
     if (table.times[row] <= table.times[row - 1])
       report.problem("times", table.lines[row], [&] {
-        return fmt::format("time {:.9g} does not follow {:.9g}; times of commands have to grow", table.times[row],
+        return fmt::format("time {:.9g} does not follow {:.9g}; times of commands must increase", table.times[row],
                            table.times[row - 1]);
       });
   if (table.times.size() < 2)
-    report.problem("rows", 0, [] { return std::string("a test needs two rows at least, the last one being its end"); });
+    report.problem("rows", 0, [] { return std::string("a test needs at least two rows, the last one for its end"); });
 }
 
 CommandSeries commands_of(const CsvTable& table, const KnownColumn& time, const std::vector<KnownColumn>& columns) {
@@ -131,7 +131,7 @@ CommandSeries read_command_file(const std::filesystem::path& file, const std::ve
     report.problem("commands", format.header_line, [&] {
       std::vector<std::string> names;
       for (const Channel& actuator : actuators) names.push_back(fmt::format("{} [{}]", actuator.name, actuator.unit));
-      return fmt::format("no column of commands; the robot takes {}", listed(names));
+      return fmt::format("no column of commands; the robot has the commands {}", listed(names));
     });
   throw_if_any(report);
   CsvQuery query{format.names[time.index], "", {}};

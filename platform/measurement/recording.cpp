@@ -47,8 +47,8 @@ void note_initial(const WholeSource& whole, const TrialClock& file, const TrialC
   if (!given || piece.rows.front() == file.rows.front()) return;
   report.note("initial", table.lines[piece.rows.front()], [] {
     return std::string(
-        "target.initial gives the state here too, in the middle of the recording, because "
-        "target.time.use starts a trial");
+        "target.initial also gives the state here, in the middle of the recording, because target.time.use starts a "
+        "trial");
   });
 }
 
@@ -61,8 +61,8 @@ void check_holdout_ranges(const MeasuredFile& file, const std::vector<TrialClock
     if (is_there) continue;
     report.problem("holdout", 0, [&] {
       return fmt::format(
-          "no sample that is used lies in target.recording.holdout from {:.9g} s to {:.9g} s; these are times of the "
-          "file itself, within what use leaves",
+          "target.recording.holdout from {:.9g} s to {:.9g} s contains no sample that is used; these are times of the "
+          "file, within target.time.use",
           range.start, range.end);
     });
   }
@@ -88,9 +88,8 @@ std::vector<TimeRange> last_quarter(const TrialClock& clock, const std::vector<T
 void note_split(const TimeRange& held_out, int line, FileReport& report) {
   report.note("split", line, [&] {
     return fmt::format(
-        "the only recording: its last quarter, from {:.9g} s on, is held out. For another stretch write "
-        "[[target.recording]] "
-        "with holdout = [[from, to]]; to fit to all of it write holdout = [] in [target]",
+        "this is the only recording, so its last quarter, from {:.9g} s on, is held out. For another part write "
+        "[[target.recording]] with holdout = [[from, to]]; to fit to all of it write holdout = [] in [target]",
         held_out.start);
   });
 }
@@ -119,7 +118,7 @@ void add_trials(const WholeSource& whole, const MeasuredFile& file, const CsvTab
     if (held_out) of_holdout.push_back(piece);
     if (piece.times.size() < 2) {
       report.problem("few samples", table.lines[piece.rows.front()], [&] {
-        return fmt::format("trial {} has one sample only; a trial needs at least two", prototype.name);
+        return fmt::format("trial {} has only one sample; a trial needs at least two", prototype.name);
       });
       continue;
     }
@@ -142,7 +141,7 @@ void add_trials(const WholeSource& whole, const MeasuredFile& file, const CsvTab
   }
   if (pieces.empty())
     report.problem("use", 0, [&] {
-      return fmt::format("target.time.use leaves no sample of trial {}, which runs from {:.9g} s to {:.9g} s",
+      return fmt::format("target.time.use leaves no sample of trial {}, which covers {:.9g} s to {:.9g} s",
                          prototype.name, clock.origin, clock.origin + clock.times.back());
     });
 }
@@ -213,7 +212,8 @@ void check_files_differ(const std::vector<MeasuredFile>& files, const RecordingF
       if (&path == &file.path && !table.empty() && is_csv(file, formats)) whole += "[" + table + "]";
       paths.insert(whole);
       if (before.contains(whole) || !tables.emplace(whole, table).second)
-        problems.add(location, fmt::format("{} is named twice; a file is fitted to or held out, once", path.string()));
+        problems.add(location,
+                     fmt::format("{} is named twice; name it once, for the fit or as held out", path.string()));
     };
     look(file.path, file.table, file.location);
     for (const FurtherFile& further : file.with) look(further.path, further.table, further.location);
@@ -272,8 +272,8 @@ void plan_starts(const std::map<std::string, KnownStart>& initial, const std::ve
                                                "has {}",
                                                name, name, did_you_mean(name, actuators), listed(actuators)));
     else if (!is_joint && is_actuator)
-      problems.add(start.location, fmt::format("target.initial.{} says nothing of the actuator; write its command "
-                                               "before the first sample, as in command = 0.0",
+      problems.add(start.location, fmt::format("target.initial.{} does not give the actuator's state; write its "
+                                               "command before the first sample, as in command = 0.0",
                                                name));
     if (!is_joint && (start.states_joint || (!start.command && !is_actuator)))
       problems.add(start.location, fmt::format("target.initial names `{}`{}, but the robot's joint coordinates are {}",
@@ -287,7 +287,7 @@ void check_holdout(const WholeSource& whole, const std::vector<Trial>& trials, c
   const std::vector<std::string> seen(whole.trials_seen.begin(), whole.trials_seen.end());
   for (const std::string& name : whole.source.holdout_trials)
     if (!whole.trials_seen.contains(name))
-      problems.add(location, fmt::format("held-out trial `{}` is in no file{}; the trials are {}", name,
+      problems.add(location, fmt::format("no file has the held-out trial `{}`{}; the trials are {}", name,
                                          did_you_mean(name, seen), listed(seen)));
   if (std::all_of(trials.begin(), trials.end(), [](const Trial& trial) { return trial.held_out; }))
     problems.add(location, "every trial is held out; leave at least one for the fit");
@@ -300,9 +300,9 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
                          const RecordingFormats* formats) {
   ProblemList problems;
   const SourceLocation location{source.files.empty() ? "" : source.files.front().location.file, 0, 0};
-  if (source.files.empty()) problems.add(location, "no measured files; name at least one in target.files");
+  if (source.files.empty()) problems.add(location, "no recorded files; name at least one in target.files");
   check_files_differ(source.files, formats, problems);
-  if (source.sensors.empty()) problems.add(location, "no column is measured; map at least one in target.sensors");
+  if (source.sensors.empty()) problems.add(location, "no column is read; assign at least one in target.sensors");
   RecordingPlan plan;
   plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);
   plan.commands = plan_columns(source.commands, actuators, "actuator", problems);

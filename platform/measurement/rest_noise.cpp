@@ -196,7 +196,7 @@ SensorNoise estimate_sensor_noise(const std::vector<Trial>& trials, const std::s
 std::string SensorNoise::origin(const std::string& unit) const {
   const std::string step = "step " + format_quantity(quantum, unit) + "/\u221a12";
   if (std::isnan(standard_deviation))
-    return quantum > 0.0 ? "unknown: the channel never rests, and its " + step + " is too fine to tell"
+    return quantum > 0.0 ? "unknown: the channel never rests, and its " + step + " is too small to estimate it"
                          : "unknown: the channel never rests and has no visible step";
   if (std::isnan(at_rest)) return step + "; no rest to compare";
   std::string rest = "rest " + format_quantity(at_rest, unit) + " in " + format_quantity(rest_duration, "s");

@@ -33,8 +33,8 @@ Columns with_role(const Columns& columns, ColumnRole role) {
 }
 
 std::string reason_for_no_place(const GuessedColumn& column) {
-  if (column.role != ColumnRole::command) return "no joint is left that it could belong to";
-  return "no joint is left that it could drive; if it drives one, name it with --command";
+  if (column.role != ColumnRole::command) return "all joints already have a column";
+  return "all joints already have a drive; if it drives one, name it with --command";
 }
 
 /// Gives each column to the joint with its name, to the only joint, or in order where there are as many of
@@ -175,10 +175,10 @@ Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints
     for (GuessedColumn& column : columns) {
       if (sample.find(column.name) >= 0) continue;
       if (column.role == ColumnRole::time)
-        throw_problem({sample.path.string(), sample.first_place(), 0},
-                      fmt::format("no column `{}`, which is the time in {}; recordings of one rig need the same "
-                                  "columns",
-                                  column.name, samples.front().label()));
+        throw_problem(
+            {sample.path.string(), sample.first_place(), 0},
+            fmt::format("no column `{}`, which is the time in {}; recordings of one rig must have the same columns",
+                        column.name, samples.front().label()));
       column.role = ColumnRole::other;
       column.reason = fmt::format("{} does not have it", sample.label());
     }
@@ -195,8 +195,9 @@ RigGuess guess_clock(const Columns& columns, const FileSample& first) {
   const Columns times = with_role(columns, ColumnRole::time);
   if (has_no_rows(first)) throw_problem({first.path.string(), first.first_place(), 0}, "has a header but no samples");
   if (times.empty())
-    throw_problem({first.path.string(), first.first_place(), 0},
-                  "no column rises as time does; name it with --time. The columns are " + listed(first.format.names));
+    throw_problem(
+        {first.path.string(), first.first_place(), 0},
+        "no column increases as time does; name it with --time. The columns are " + listed(first.format.names));
   guess.time = times.front();
   settle_time_unit(guess, first);
   const Columns trials = with_role(columns, ColumnRole::trial);

@@ -24,7 +24,7 @@ const char* word_of(CheckOutcome outcome) { return kOutcomes[static_cast<std::si
 CheckOutcome outcome_of(std::string_view word) {
   for (std::size_t i = 0; i < kOutcomes.size(); ++i)
     if (word == kOutcomes[i]) return static_cast<CheckOutcome>(i);
-  throw Error("\"" + std::string(word) + "\" is no outcome of a check");
+  throw Error("\"" + std::string(word) + "\" is not an outcome of a check");
 }
 
 bool has_not_failed(const CheckResult& result) { return result.outcome != CheckOutcome::failed; }
@@ -87,7 +87,7 @@ CheckResult check_result_of(const std::string& text) try {
                               figure.at("nanoseconds").get<double>()});
   return result;
 } catch (const Json::exception& error) {
-  throw Error(std::string("a check gave no result that can be read: ") + error.what());
+  throw Error(std::string("the result of a check cannot be read: ") + error.what());
 }
 
 std::string text_of(const PluginChecks& checks) {

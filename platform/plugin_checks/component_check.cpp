@@ -122,10 +122,10 @@ Transcript transcript_of(const Exercise& exercise) {
 CheckResult check_determinism(const Exercise& exercise) {
   const Transcript first = transcript_of(exercise), second = transcript_of(exercise);
   const std::string difference = Transcript::first_difference(first, second);
-  if (difference.empty()) return passed("determinism", fmt::format("{} numbers, twice the same", first.size()));
-  const std::string finding = difference + " gave other numbers the second time, from the same arguments";
+  if (difference.empty()) return passed("determinism", fmt::format("{} numbers, the same in both calls", first.size()));
+  const std::string finding = difference + " returned other numbers the second time, from the same arguments";
   return exercise.promises_same_numbers() ? failed_check("determinism", finding)
-                                          : not_applicable("determinism", finding + ", as a rig may");
+                                          : not_applicable("determinism", finding + ", which is allowed for a rig");
 }
 
 /// What each thread found other than `alone`; empty: nothing.
@@ -154,11 +154,12 @@ std::array<std::string, kThreads> differences_in_threads(const Exercise& exercis
 CheckResult check_threads(const Exercise& exercise, const ComponentOrigin& origin) {
   const Transcript alone = transcript_of(exercise);
   if (!Transcript::first_difference(alone, transcript_of(exercise)).empty())
-    return not_applicable("two threads", "it gives other numbers each time");
+    return not_applicable("two threads", "its results differ from call to call");
   for (const std::string& difference : differences_in_threads(exercise, alone, origin))
     if (!difference.empty())
-      return failed_check("two threads", difference + " gave other numbers while another thread called the component");
-  return passed("two threads", fmt::format("{} goes in each, the same numbers", kGoesOfAThread));
+      return failed_check("two threads",
+                          difference + " returned other numbers while another thread called the component");
+  return passed("two threads", fmt::format("{} calls in each, the same numbers", kGoesOfAThread));
 }
 
 std::vector<CheckResult::Figure> figures_of(const std::vector<RepeatedCall>& calls) {
@@ -176,13 +177,13 @@ CheckResult check_allocation(const Exercise& exercise) {
   for (const RepeatedCall& call : calls) {
     if (!call.may_allocate && call.allocations > 0)
       return failed_check("allocation",
-                          fmt::format("{} allocates memory, {} a call", call.name, counted_times(call.allocations)));
+                          fmt::format("{} allocates memory, {} per call", call.name, counted_times(call.allocations)));
     std::string& list = call.may_allocate ? allowed : free;
     list += (list.empty() ? "" : ", ") + (call.may_allocate ? fmt::format("{} in {}", call.allocations, call.name)
                                                             : fmt::format("0 in {}", call.name));
   }
   CheckResult result = free.empty() ? not_applicable("allocation", allowed.empty() ? "no call is repeated in a step"
-                                                                                   : allowed + ", which may")
+                                                                                   : allowed + ", which is allowed")
                                     : passed("allocation", free);
   result.figures = figures_of(calls);
   return result;

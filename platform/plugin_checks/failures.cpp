@@ -15,32 +15,33 @@ const std::map<std::string, Meaning>& meanings() {
   static const std::map<std::string, Meaning> all = {
       {"declarations",
        {"Files, fits and pages take names, units, bounds and texts from the declaration.",
-        "Correct what describe(), parameters() or summary() return."}},
+        "Correct what describe(), parameters() or summary() returns."}},
       {"promises",
-       {"The program relies on what the interface promises and gives wrong results without it.",
+       {"The program relies on the rules of the interface and gives wrong results without them.",
         "Read the interface's header, correct the component, and check again."}},
       {"determinism",
-       {"A run is to be reproduced and resumed to the bit; a fit of a function that wavers does not converge.",
-        "Take random numbers from the stream that the call gets, keep what must be remembered in the host's state, and "
-        "read no clock, address or uninitialised memory."}},
+       {"A run must be reproducible and resumable to the last bit; a fit of a function that returns other numbers each "
+        "time does not converge.",
+        "Take random numbers only from the stream of the call, keep memory in the host's state, and read no clock, "
+        "address or uninitialised memory."}},
       {"two threads",
-       {"Lacuna shares the component between its threads; results would depend on --threads.",
-        "Take writable static and mutable members out, or make them thread_local."}},
+       {"Lacuna shares the component between its threads, so results would depend on --threads.",
+        "Remove writable static and mutable members, or make them thread_local."}},
       {"allocation",
-       {"The call is repeated millions of times; each model that uses it becomes slower.",
-        "Keep what it needs in its state, or in arrays of fixed size."}},
+       {"The call is repeated millions of times, so each model that uses it becomes slower.",
+        "Keep the data in its state or in arrays of fixed size."}},
       {"finite numbers",
        {"One NaN or infinity makes the whole evaluation invalid.",
-        "Narrow the declared bounds to what the formula can take, or guard the division, root or logarithm."}},
+        "Narrow the declared bounds to the valid range of the formula, or guard the division, root or logarithm."}},
       {kThrownReason,
-       {"Only lacuna::Error tells a user what to do; anything else counts as a fault of the plugin and ends the "
-        "command.",
-        "Throw lacuna::Error with a sentence where the call cannot go on, or correct the call."}},
+       {"Only lacuna::Error carries a message for the user; any other exception counts as a fault of the plugin and "
+        "ends the command.",
+        "Throw lacuna::Error with a sentence where the call cannot continue, or correct the call."}},
       {kEndedReason,
-       {"A plugin that ends or holds its process ends the command, or a run's worker, that called it.",
-        "Make the call in a small program of your own, with a debugger or -fsanitize=address,undefined."}},
+       {"A plugin that ends or blocks its process ends the command, or a run's worker, that called it.",
+        "Make the call in a small test program, with a debugger or -fsanitize=address,undefined."}},
       {kRefusedReason,
-       {"Defaults are what a user gets who says nothing.", "Let the component take its own defaults."}}};
+       {"Users who set no parameter get the defaults.", "The component must accept its own defaults."}}};
   return all;
 }
 

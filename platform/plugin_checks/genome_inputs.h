@@ -25,7 +25,7 @@ inline std::string genome_fault(const GenomeLayout& layout, const Genome& genome
     const Gene& gene = layout.genes[i];
     const std::string value = gene.name + " = " + std::to_string(genome[i]);
     if (!(genome[i] >= gene.lower && genome[i] <= gene.upper)) return value + " is beyond its bounds";
-    if (gene.kind == GeneKind::integer && genome[i] != std::floor(genome[i])) return value + " is no whole number";
+    if (gene.kind == GeneKind::integer && genome[i] != std::floor(genome[i])) return value + " is not a whole number";
   }
   return {};
 }

@@ -46,8 +46,8 @@ CheckResult sound_handshake(const PluginTable& table) {
 CheckResult failed_handshake(const std::filesystem::path& file, std::string sentence) {
   const std::string prefix = file.string() + ": ";
   if (sentence.starts_with(prefix)) sentence.erase(0, prefix.size());
-  return {kHandshake, CheckOutcome::failed, sentence, "The program refuses the library, and all of its components.",
-          "Build it with this program's headers and compiler, or take the fault out, and check again."};
+  return {kHandshake, CheckOutcome::failed, sentence, "The program refuses the library with all of its components.",
+          "Build it with this program's headers and compiler, or correct the fault, and check again."};
 }
 
 std::string packed(const CheckResult& result) {
@@ -115,8 +115,8 @@ void compare_processes(ComponentChecks& checks, const std::optional<std::string>
   if (there == *here)
     result->finding += ", and in another process";
   else if (checks.kind != ComponentKind<TargetSystem>::noun)
-    *result = failed_check("determinism", there.empty() ? "another process got no numbers from it"
-                                                        : "another process gets other numbers from it");
+    *result = failed_check("determinism", there.empty() ? "another process received no numbers from it"
+                                                        : "another process receives other numbers from it");
 }
 
 void refuse_duplicates(std::vector<ComponentChecks>& components) {

@@ -15,7 +15,7 @@ void Transcript::add(const char* call, std::span<const double> numbers, May may)
   if (!not_finite_.empty() || may == May::be_anything) return;
   for (const double number : numbers)
     if (std::isnan(number) || (std::isinf(number) && may == May::be_finite)) {
-      not_finite_ = fmt::format("{} gave {}", call, std::isnan(number) ? "a number that is none (NaN)" : "infinity");
+      not_finite_ = fmt::format("{} returned {}", call, std::isnan(number) ? "NaN" : "infinity");
       return;
     }
 }

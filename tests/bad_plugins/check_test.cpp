@@ -61,16 +61,17 @@ TEST(CheckedPlugin, WaversInOneWayEach) {
   const CheckedLibrary checked("wavering");
   EXPECT_EQ(checked.outcome().exit_code, 1);
   EXPECT_THAT(checked.outcome().errors, HasSubstr("7 components failed"));
-  EXPECT_THAT(checked.of("counts_its_calls", "determinism"), HasSubstr("add_loads gave other numbers the second time"));
-  EXPECT_THAT(checked.of("knows_its_process", "determinism"), HasSubstr("another process gets other numbers"));
+  EXPECT_THAT(checked.of("counts_its_calls", "determinism"),
+              HasSubstr("add_loads returned other numbers the second time"));
+  EXPECT_THAT(checked.of("knows_its_process", "determinism"), HasSubstr("another process receives other numbers"));
   EXPECT_THAT(checked.of("knows_of_others", "two threads"),
-              HasSubstr("add_loads gave other numbers while another thread called"));
+              HasSubstr("add_loads returned other numbers while another thread called"));
   EXPECT_THAT(checked.of("divides_by_zero", "finite numbers"),
-              HasSubstr("add_loads gave infinity at the values 0 of its parameters"));
+              HasSubstr("add_loads returned infinity at the values 0 of its parameters"));
   EXPECT_THAT(checked.of("throws_at_the_bound", "finite numbers"), HasSubstr("std::domain_error (too large)"));
   EXPECT_THAT(checked.of("hoarding_metric", "allocation"), HasSubstr("add allocates memory"));
-  EXPECT_THAT(checked.of("hoarding_metric", "promises"), HasSubstr("where nothing was measured"));
-  EXPECT_THAT(checked.of("leaves_the_bounds", "promises"), HasSubstr("a child does not fit the layout: mass = "));
+  EXPECT_THAT(checked.of("hoarding_metric", "promises"), HasSubstr("at samples without a measurement"));
+  EXPECT_THAT(checked.of("leaves_the_bounds", "promises"), HasSubstr("a child does not match the layout: mass = "));
 }
 
 TEST(CheckedPlugin, IsNotBlamedForWhatItDoesNot) {
@@ -92,7 +93,7 @@ TEST(CheckedPlugin, ThatEndsOrHoldsTheProgramTakesOnlyAChildWithIt) {
 
 TEST(CheckedPlugin, ThatDoesInHooksWhatIsForbidden) {
   const CheckedLibrary checked("ill_behaved");
-  EXPECT_THAT(checked.of("allocates", "allocation"), HasSubstr("add_loads allocates memory, once a call"));
+  EXPECT_THAT(checked.of("allocates", "allocation"), HasSubstr("add_loads allocates memory, once per call"));
   EXPECT_THAT(checked.of("replaces_the_list", "promises"), HasSubstr("replaces the list of loads"));
   EXPECT_THAT(checked.of("overwrites_others", "promises"), HasSubstr("overwrites loads"));
   EXPECT_THAT(checked.of("reads_beyond", "promises"), HasSubstr("reads beyond its parameters"));
@@ -103,9 +104,9 @@ TEST(CheckedPlugin, ThatDoesInHooksWhatIsForbidden) {
 TEST(CheckedPlugin, ThatGivesNoNumbers) {
   const CheckedLibrary checked("not_a_number");
   for (const char* effect : {"nan_load", "nan_command", "nan_reading"})
-    EXPECT_THAT(checked.of(effect, "finite numbers"), HasSubstr("gave a number that is none (NaN)")) << effect;
+    EXPECT_THAT(checked.of(effect, "finite numbers"), HasSubstr("returned NaN")) << effect;
   EXPECT_THAT(checked.of("nan_default", "declarations"), HasSubstr("not finite numbers"));
-  EXPECT_THAT(checked.of("nan_robot", "promises"), HasSubstr("no engine takes the robot"));
+  EXPECT_THAT(checked.of("nan_robot", "promises"), HasSubstr("no engine can simulate the robot"));
 }
 
 TEST(CheckedPlugin, ThatThrowsNamesWhatAndWhatToDo) {

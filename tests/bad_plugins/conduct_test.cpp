@@ -58,7 +58,7 @@ TEST_F(IllBehavedEffect, ThatAllocatesInAStepWorksAndIsNamed) {
   EXPECT_NO_THROW(catalog_.get<PhysicalEffect>("allocates"));
   EXPECT_THAT(listing("allocates").problem, IsEmpty());
   EXPECT_THAT(listing("allocates").remark,
-              AllOf(HasSubstr("effect \"allocates\""), HasSubstr("add_loads allocates memory (once a call)")));
+              AllOf(HasSubstr("effect \"allocates\""), HasSubstr("add_loads allocates memory (once per call)")));
 }
 
 TEST_F(IllBehavedEffect, NothingIsSaidOfOneThatDoesWhatIsAllowed) {

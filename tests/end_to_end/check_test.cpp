@@ -83,21 +83,22 @@ TEST_F(Check, NamesEveryBadPlaceOfEveryRecordingAtOnce) {
 TEST_F(Check, RefusesAColumnThatIsNotThereAndAUnitThatDoesNotFit) {
   EXPECT_THAT(check({"--set", "target.sensors.angle.column=\"angle_dge\""}).errors,
               HasSubstr("no column `angle_dge` (did you mean \"angle_deg\"?)"));
-  EXPECT_THAT(check({"--set", "target.sensors.angle.unit=\"mm\""}).errors, HasSubstr("cannot stand for angle"));
+  EXPECT_THAT(check({"--set", "target.sensors.angle.unit=\"mm\""}).errors, HasSubstr("has another unit than angle"));
   EXPECT_THAT(check({"--set", "noise.process.\"sensor.angle\"=0.1"}).errors, HasSubstr("sensor.angle"));
 }
 
 TEST_F(Check, PrintsNotesOnWhatLooksOdd) {
   const Outcome outcome = check({"--set", "target.commands.motor.unit=\"mN*m\""});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("has the unit N*m in its name, but is read in mN*m"));
+  EXPECT_THAT(outcome.output, HasSubstr("has the unit N*m in its name but is read in mN*m"));
 }
 
 TEST_F(Check, HasItsDoubtsRepeatedByWhatUsesTheRecordings) {
   program_.write(sine_, program_.read(sine_) + "8.002,0.2");
   const Outcome compare = program_.run({"compare", "first-steps.toml"});
   EXPECT_EQ(compare.exit_code, 0) << compare.errors;
-  EXPECT_THAT(compare.errors, HasSubstr("sine.csv:4003: the file breaks off in its last line, which is left out"));
+  EXPECT_THAT(compare.errors,
+              HasSubstr("sine.csv:4003: the file ends in the middle of its last line, which is left out"));
   EXPECT_THAT(compare.errors, Not(HasSubstr("chirp.csv")));
 }
 

@@ -45,18 +45,18 @@ std::vector<BadFile> refused_files() {
       {"only_comments", "# t,q,u\n# nothing\n", "run.csv: has no header", ""},
       {"only_header", "t,q,u\n", "run.csv: has a header but no samples", ""},
       {"one_sample", "t,q,u\n0,1,2\n", "run.csv:2: trial run.csv has one sample only", ""},
-      {"no_header", kSamples, "run.csv:1: numbers where the column names should be", ""},
-      {"no_header_with_semicolons", "0;1;2\n0,1;1,5;2\n", "run.csv:1: numbers where the column names", ""},
+      {"no_header", kSamples, "run.csv:1: numbers instead of column names", ""},
+      {"no_header_with_semicolons", "0;1;2\n0,1;1,5;2\n", "run.csv:1: numbers instead of column names", ""},
       {"missing_column", "t,p,u\n" + kSamples, "run.csv:1: no column `q`", ""},
       {"misspelt_column", "t,angl,u\n" + kSamples,
        "no column `angle` (did you mean \"angl\"?); the columns are `t`, `angl`, `u`", "",
        [](RecordingSource& source) { source.sensors[0].column = "angle"; }},
       {"missing_time", "time,q,u\n" + kSamples, "run.csv:1: no column `t`", ""},
-      {"same_name_twice", "t,q,u,q\n0,1,2,3\n", "run.csv:1: 2 columns are called `q`", ""},
+      {"same_name_twice", "t,q,u,q\n0,1,2,3\n", "run.csv:1: 2 columns have the name `q`", ""},
       {"infinite", "t,q,u\n0,1,2\n0.1,inf,2\n", "run.csv:3: column `q` has `inf`; leave the cell empty", ""},
       {"overflow", "t,q,u\n0,1,2\n0.1,1e999,2\n", "run.csv:3: column `q` has `1e999`", ""},
-      {"text", "t,q,u\n0,1,2\n0.1,error,2\n",
-       "run.csv:3: column `q` has `error` where a number should be; empty the cell", ""},
+      {"text", "t,q,u\n0,1,2\n0.1,error,2\n", "run.csv:3: column `q` has `error` instead of a number; empty the cell",
+       ""},
       {"number_with_unit", "t,q,u\n0,1,2\n0.1,1.5 rad,2\n", "run.csv:3: column `q` has `1.5 rad`", ""},
       {"hexadecimal", "t,q,u\n0,1,2\n0.1,0x1F,2\n", "run.csv:3: column `q` has `0x1F`", ""},
       {"empty_time", "t,q,u\n0,1,2\n,1,2\n", "run.csv:3: column `t` has no value here", ""},
@@ -68,9 +68,9 @@ std::vector<BadFile> refused_files() {
       {"two_trials_in_a_row", "t,q,u\n0,1,2\n0.1,1,2\n0,1,2\n0.1,1,2\n", "run.csv:4: time goes back from 0.1 s to 0 s",
        ""},
       {"same_time_other_values", "t,q,u\n0,1,2\n0.1,1,2\n0.1,5,2\n", "run.csv:4: the time of line 3 again, 0.1 s", ""},
-      {"gap", "t,q,u\n0,1,2\n0.1,1,2\n0.2,1,2\n9,1,2\n9.1,1,2\n", "run.csv:5: a pause of 8.8 s before this sample", ""},
+      {"gap", "t,q,u\n0,1,2\n0.1,1,2\n0.2,1,2\n9,1,2\n9.1,1,2\n", "run.csv:5: a gap of 8.8 s before this sample", ""},
       {"short_row", "t,q,u\n0,1,2\n0.1,1\n0.2,1,2\n",
-       "run.csv:3: 2 cells where the header (line 1) has 3 names; complete the row", ""},
+       "run.csv:3: 2 cells, but the header (line 1) has 3 names; complete the row", ""},
       {"long_row", "t,q,u\n0,1,2\n0.1,1,2,7\n0.2,1,2\n", "run.csv:3: 4 cells where the header", ""},
       {"decimal_commas_between_commas", "t,q,u\n0,0,1,0,2,0\n0,1,1,5,2,5\n", "must be separated by semicolons or tabs",
        ""},
@@ -83,7 +83,7 @@ std::vector<BadFile> refused_files() {
        "run.csv:3: 4 cells where the header (line 1) "
        "has 3 names; with decimal commas",
        ""},
-      {"comma_and_point_mixed", "t;q;u\n0.0;1,5;2\n0.1;1.5;2\n", "if that is a decimal comma, all numbers", ""},
+      {"comma_and_point_mixed", "t;q;u\n0.0;1,5;2\n0.1;1.5;2\n", "for a decimal comma, all numbers", ""},
       {"open_quote", "t,q,u\n0,1,2\n0.1,\"1,2\n0.2,1,2\n", "run.csv:3: a quoted cell is not closed", ""},
       {"spreadsheet", "PK\x03\x04zip"s, "run.csv: is a spreadsheet", ""},
       {"gzip", "\x1f\x8b\x08zip", "run.csv: is compressed with gzip; unpack", ""},
@@ -103,13 +103,13 @@ std::vector<BadFile> refused_files() {
       {"words_under_the_header", "t,q,u\nseconds since start,the angle,the torque\n" + kSamples,
        "run.csv:2: column `t` has `seconds since start`", ""},
       {"nothing_to_use", "t,q,u\n" + kSamples,
-       "target.time.use leaves no sample of trial run.csv, which runs from 0 s to 0.2 s", "",
+       "target.time.use leaves no sample of trial run.csv, which covers 0 s to 0.2 s", "",
        [](RecordingSource& source) {
          source.use = {{5.0, 6.0}};
        }},
       {"everything_held_out", "t,q,u\n" + kSamples, "rig.toml: every trial is held out", "",
        [](RecordingSource& source) { source.files[0].held_out = true; }},
-      {"unknown_trial_held_out", "t,q,u,k\n0,1,2,a\n1,1,2,a\n", "held-out trial `b` is in no file", "",
+      {"unknown_trial_held_out", "t,q,u,k\n0,1,2,a\n1,1,2,a\n", "no file has the held-out trial `b`", "",
        [](RecordingSource& source) {
          source.trial_column = "k";
          source.holdout_trials = {"b"};
@@ -129,9 +129,8 @@ std::vector<BadFile> refused_files() {
       {"unknown_actuator", "t,q,u\n" + kSamples, "rig.toml:9:1: the robot has no actuator `moto`", "",
        [](RecordingSource& source) { source.commands[0].channel = "moto"; }},
       {"wrong_dimension", "t,q,u\n" + kSamples,
-       "rig.toml:9:1: column `u` in V cannot stand for motor, which is in N*m; correct the unit, or give a gain with "
-       "its "
-       "unit, N*m/(V)",
+       "rig.toml:9:1: column `u` in V has another unit than motor, which is in N*m; correct the unit, or give a gain "
+       "with its unit, N*m/(V)",
        "", [](RecordingSource& source) { source.commands[0].unit = "V"; }},
       {"wrong_gain", "t,q,u\n" + kSamples, "rig.toml:9:1: column `u` in V times a gain in N/V does not give N*m", "",
        [](RecordingSource& source) {
@@ -173,9 +172,9 @@ std::vector<BadFile> readable_files() {
       {"trailing_delimiters_in_rows", "t,q,u\n0,1,2,\n0.1,1.5,2.5,\n0.2,2,3,,\n", "", ""},
       {"blank_lines", "\nt,q,u\n\n0,1,2\n0.1,1.5,2.5\n\n0.2,2,3\n\n", "", ""},
       {"comments", "# rig 7\nt,q,u\n0,1,2\n# bump\n0.1,1.5,2.5\n% end\n0.2,2,3\n", "", ""},
-      {"header_in_a_comment", "# rig 7\n# t,q,u\n" + kSamples, "", "run.csv:2: the last comment is read as the header"},
+      {"header_in_a_comment", "# rig 7\n# t,q,u\n" + kSamples, "", "run.csv:2: the last comment is used as the header"},
       {"lines_above_the_header", "Logger 3000\nrate,10,Hz\nt,q,u\n" + kSamples, "",
-       "run.csv:3: the header is found here"},
+       "run.csv:3: the header was found in this line"},
       {"row_of_units", "t,q,u\ns,rad,Nm\n" + kSamples, "", "run.csv:2: a row of units, skipped"},
       {"row_of_other_units", "t,q,u\n[s],[deg],[Nm]\n" + kSamples, "",
        "run.csv:2: the row of units says deg for column `q`, which is read in rad"},
@@ -183,12 +182,12 @@ std::vector<BadFile> readable_files() {
        "t,q,u,Temp. [\xb0"
        "C]\n0,1,2,20\n0.1,1.5,2.5,20\n0.2,2,3,20\n",
        "",
-       "run.csv:1: column names are not UTF-8, but read as Latin-1: `Temp. [\xc2\xb0"
+       "run.csv:1: column names are not UTF-8 and are read as Latin-1: `Temp. [\xc2\xb0"
        "C]`"},
       {"greek_names", "t,q,u,\xcf\x86\n0,1,2,20\n0.1,1.5,2.5,20\n0.2,2,3,20\n", "", ""},
       {"other_columns_of_text", "t,mode,q,u\n0,auto,1,2\n0.1,auto,1.5,2.5\n0.2,inf,2,3\n", "", ""},
       {"plus_signs", "t,q,u\n+0,+1,2e0\n+1e-1,+1.5,+2.5\n.2,2.,3\n", "", ""},
-      {"utf16", utf16("t,q,u\n" + kSamples, true), "", "run.csv: is UTF-16 text, and is read as such"},
+      {"utf16", utf16("t,q,u\n" + kSamples, true), "", "run.csv: is UTF-16 text; read as such"},
       {"utf16_without_mark", utf16("t,q,u\n" + kSamples, false), "", "run.csv: is UTF-16 text"},
       {"no_end_of_last_line", "t,q,u\n0,1,2\n0.1,1.5,2.5\n0.2,2,3", "", ""},
       {"breaks_off", "t,q,u\n" + kSamples + "0.3,1.", "", "run.csv:5: the file breaks off in its last line"},

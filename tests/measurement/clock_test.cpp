@@ -67,16 +67,16 @@ TEST_F(Clock, CountersThatStartAgainGoOn) {
     SCOPED_TRACE(fmt::format("{} bits, signed {}, {}", counter.bits, counter.is_signed, unit));
     expect_read(file(
                     "t", [&counter = counter](int i) { return std::to_string(counter.at(i)); }, "t", unit),
-                "starts again at ");
+                "restarts at ");
   }
 }
 
 TEST_F(Clock, ASignedCounterSaysWhereItGoesOn) {
   const Counter counter{32, true, 1000000};
-  expect_read(
-      file(
-          "t", [&](int i) { return std::to_string(counter.at(i)); }, "t", "us"),
-      "starts again at 2147483648 from -2147483648 on; read so. State it in target.time: encoding = \"wraps 2^32\"");
+  expect_read(file(
+                  "t", [&](int i) { return std::to_string(counter.at(i)); }, "t", "us"),
+              "restarts at 2147483648 from -2147483648 on; its time is continued. State this in target.time: encoding "
+              "= \"wraps 2^32\"");
 }
 
 /// Divided by the logger.
@@ -84,7 +84,7 @@ TEST_F(Clock, CountersOfMicrosecondsWrittenInSecondsGoOn) {
   for (const bool is_signed : {true, false}) {
     const Counter counter{32, is_signed, 1000000};
     expect_read(file("t", [&](int i) { return fmt::format("{:.6f}", 1e-6 * static_cast<double>(counter.at(i))); }),
-                "starts again at ");
+                "restarts at ");
   }
 }
 
@@ -93,7 +93,7 @@ TEST_F(Clock, TimesSinceMidnightGoOn) {
     const auto stamp = [per_second = per_second](int i) {
       return fmt::format("{:.3f}", per_second * std::fmod(86399.0 + kStep * i + 1e-7, 86400.0));
     };
-    expect_read(file("t", stamp, "t", unit), "starts again at ");
+    expect_read(file("t", stamp, "t", unit), "restarts at ");
   }
 }
 
@@ -118,17 +118,16 @@ TEST_F(Clock, TimesOfDayAreRead) {
 TEST_F(Clock, TimesOfDayGoOnAtMidnight) {
   for (const char* layout : {".", ",", "12"})
     expect_read(file("t", [&](int i) { return time_of_day(24 * kOne - 1000 + 5 * i, layout); }),
-                "starts again after 24 h here");
+                "restarts after 24 h here");
 }
 
 TEST_F(Clock, TwelveHoursWithoutTheirHalfGoOnAtOne) {
   expect_read(file("t", [](int i) { return time_of_day(13 * kOne - 1000 + 5 * i, "12 bare"); }),
-              "starts again after 12 h here");
+              "restarts after 12 h here");
 }
 
 TEST_F(Clock, MinutesAndSecondsGoOnAtTheHour) {
-  expect_read(file("t", [](int i) { return time_of_day(kOne - 1000 + 5 * i, "minutes"); }),
-              "starts again after 1 h here");
+  expect_read(file("t", [](int i) { return time_of_day(kOne - 1000 + 5 * i, "minutes"); }), "restarts after 1 h here");
 }
 
 TEST_F(Clock, TimesThatAreNoneAreRefused) {
@@ -166,7 +165,7 @@ TEST_F(Clock, AClockThatMayBeAnotherTrialIsRefusedWithBothWaysOut) {
   RecordingSource source =
       file("t", [](int i) { return fmt::format("{:.3f}", std::fmod(59.0 + kStep * i + 1e-9, 60.0)); });
   EXPECT_THAT(complaint_of(source), HasSubstr("if another trial starts here, give the trials a column"));
-  EXPECT_THAT(complaint_of(source), HasSubstr("if the clock starts again every 60 s, write encoding = \"wraps 60\""));
+  EXPECT_THAT(complaint_of(source), HasSubstr("if the clock restarts every 60 s, write encoding = \"wraps 60\""));
   source.time_encoding = {EncodingKind::wraps, 60.0};
   expect_read(source);
 }

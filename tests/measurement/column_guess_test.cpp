@@ -199,7 +199,7 @@ TEST_F(GuessRig, SaysWhatItCannotFind) {
     }
     return std::string();
   };
-  EXPECT_THAT(complaint("a,b\n1,2\n1,2\n"), HasSubstr("no column rises as time does; name it with --time"));
+  EXPECT_THAT(complaint("a,b\n1,2\n1,2\n"), HasSubstr("no column increases as time does; name it with --time"));
   EXPECT_THAT(complaint("t,blue\n1,2\n2,2\n"),
               HasSubstr("name one with --position or --velocity. The columns are `t`, `blue`"));
   EXPECT_THAT(complaint(""), HasSubstr("run.csv: is empty"));

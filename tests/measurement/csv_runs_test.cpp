@@ -89,17 +89,16 @@ TEST_F(CsvRuns, MayBeNamedInColumnsInstead) {
 }
 
 TEST_F(CsvRuns, AreToBeNamedWhereColumnsAreNot) {
-  EXPECT_THAT(
-      complaint_of(source(three_runs())),
-      HasSubstr("export.csv:1: no column `Time (s)` but one in each of the runs `Run #1`, `Run #2`, `Run #3`; write "
-                "[[target.recording]] with this file and table = \"Run #1\""));
+  EXPECT_THAT(complaint_of(source(three_runs())),
+              HasSubstr("export.csv:1: no column `Time (s)`, but one in each of the runs `Run #1`, `Run #2`, `Run #3`; "
+                        "write [[target.recording]] with this file and table = \"Run #1\""));
 }
 
 TEST_F(CsvRuns, ThatAreNotThereAreNamedWithThoseThatAre) {
   EXPECT_THAT(complaint_of(source_of_runs({"Run #4"})), HasSubstr("export.csv:1: no table `Run #4`"));
   RecordingSource without = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,2\n0.1,1,2\n"));
   without.files[0].table = "Run #1";
-  EXPECT_THAT(complaint_of(without), HasSubstr("no column's name ends with the number of a run; leave table out"));
+  EXPECT_THAT(complaint_of(without), HasSubstr("no column name ends with the number of a run; leave table out"));
 }
 
 TEST_F(CsvRuns, AreReadOnceEach) {

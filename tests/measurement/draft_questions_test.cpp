@@ -38,7 +38,7 @@ std::string tracked_mass(double off) {
 TEST_F(NewCommand, MakesAnAngleOfATrackedMass) {
   const Outcome outcome = run_new({folder_.write("run.txt", tracked_mass(0.0))});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("angle            column x and y in m (x and y go round a circle)"));
+  EXPECT_THAT(outcome.out, HasSubstr("angle            column x and y in m (x and y move on a circle)"));
   EXPECT_THAT(outcome.out, HasSubstr("track              a circle of radius 0.3 m about ("));
   EXPECT_THAT(text_of(rig()), HasSubstr("angle = { column = \"x\", y = \"y\", unit = \"m\", pivot = ["));
   const Recording recording = expect_a_draft_that_works();

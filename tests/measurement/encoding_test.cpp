@@ -129,8 +129,8 @@ class EncodedFile : public testing::Test {
 TEST_F(EncodedFile, IsReadAsItWasMeantAndSaysSo) {
   const Recording recording = read(file(sign_bit));
   EXPECT_THAT(notes_of(recording),
-              HasSubstr("because negative values are written as 32768 + their size; read so. State "
-                        "it in target.sensors.angle: encoding = \"sign_bit 2^15\""));
+              HasSubstr("negative values are stored as 32768 + their size; decoded accordingly. State this in "
+                        "target.sensors.angle: encoding = \"sign_bit 2^15\""));
   const auto& samples = recording.trials.front().measured.samples;
   for (int i = 0; i < kReadings; ++i)
     ASSERT_THAT(samples(i, 0), DoubleNear(0.001 * swung_counts()[static_cast<std::size_t>(i)], 1e-12));
@@ -143,8 +143,9 @@ TEST_F(EncodedFile, SaysNothingWhereItIsStated) {
 
 TEST_F(EncodedFile, AClockThatStartsAgainGoesOn) {
   const Recording recording = read(file([](double count) { return count; }, "us"), "auto", "us");
-  EXPECT_THAT(notes_of(recording), HasSubstr("starts again at 65536; read so. State it in target.time: encoding = "
-                                             "\"wraps 2^16\""));
+  EXPECT_THAT(
+      notes_of(recording),
+      HasSubstr("restarts at 65536; its time is continued. State this in target.time: encoding = \"wraps 2^16\""));
   EXPECT_NEAR(recording.trials.front().measured.times(kReadings - 1), 0.001 * (kReadings - 1), 1e-9);
 }
 

@@ -99,7 +99,7 @@ TEST_F(TurnCounter, IsComparedAtItsCountsOnly) {
   const Recording recording = read_pendulum(source(spin_down, 1.0));
   EXPECT_THAT(notes_of(recording),
               AllOf(HasSubstr("column `q` counts events: it changes by one count (6.28 rad) at a time"),
-                    HasSubstr("keep = [\"repeats\"] in target.sensors.angle compares all rows")));
+                    HasSubstr("keep = [\"repeats\"] in target.sensors.angle uses all rows")));
   const Trial& trial = recording.trials.front();
   int readings = 0;
   for (Eigen::Index i = 0; i < trial.measured.times.size(); ++i) {
@@ -117,7 +117,7 @@ TEST_F(TurnCounter, WithoutAKnownStartIsSaidAndReadAsWritten) {
   RecordingSource unknown = source(spin_down, 1.0);
   unknown.initial.clear();
   const Recording recording = read_pendulum(unknown);
-  EXPECT_THAT(notes_of(recording), HasSubstr("state the start in target.initial or let it be fitted"));
+  EXPECT_THAT(notes_of(recording), HasSubstr("state the initial state in target.initial or let it be fitted"));
   EXPECT_FALSE(recording.trials.front().measured.samples.hasNaN());
 }
 

@@ -114,7 +114,7 @@ TEST_F(FalseReadings, AGlitchIsNamedWithItsTimeAndLeftOut) {
 TEST_F(FalseReadings, RepeatedReadingsAreUsedOnce) {
   const auto slow = [](int i) { return noisy_swing(i - i % 10); };
   const Recording recording = read(slow, torque);
-  EXPECT_THAT(notes_of(recording), HasSubstr("column `q` has a new reading every 10 rows (0.1 s) and repeats it"));
+  EXPECT_THAT(notes_of(recording), HasSubstr("column `q` has a new reading only every 10 rows (0.1 s) and repeats it"));
   EXPECT_TRUE(std::isnan(recording.trials.front().measured.samples(11, 0)));
   EXPECT_FALSE(std::isnan(recording.trials.front().measured.samples(20, 0)));
   change_ = [](RecordingSource& source) { source.sensors.front().keeps_repeats = true; };

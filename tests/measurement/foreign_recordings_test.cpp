@@ -96,7 +96,7 @@ TEST_F(ForeignRecordings, AreReadLikeCsv) {
   EXPECT_NEAR(trial.measured.times[1], 0.1, 1e-9);
   EXPECT_TRUE(std::isnan(trial.measured.samples(1, 0)));
   EXPECT_EQ(trial.commands.series.samples(2, 0), 6.0);
-  EXPECT_THAT(notes_of(recording), HasSubstr("run.bag: column `q` has no value in 1 of 3 rows, row 2 first"));
+  EXPECT_THAT(notes_of(recording), HasSubstr("run.bag: column `q` has no value in 1 of 3 rows, the first is row 2"));
 }
 
 /// As ROS writes times, in seconds and nanoseconds.
@@ -151,7 +151,7 @@ TEST_F(ForeignRecordings, ATableOfAnotherFileIsJoinedByItsName) {
   const Trial trial = read(source).trials.front();
   EXPECT_NEAR(trial.measured.times[1], 0.04, 1e-9) << "the state at 0.1 s, after the first command at 0.06 s";
   source.files[0].with[0].table.clear();
-  EXPECT_THAT(complaint(source), HasSubstr("has several tables; say table = \"...\", one of `/states`, `/command`"));
+  EXPECT_THAT(complaint(source), HasSubstr("has several tables; give table = \"...\", one of `/states`, `/command`"));
 }
 
 TEST_F(ForeignRecordings, NameTheColumnsThatThereAre) {
@@ -163,7 +163,7 @@ TEST_F(ForeignRecordings, NameTheColumnsThatThereAre) {
   source.time_column = "stamp";
   EXPECT_EQ(complaint(source), "") << "a format that knows its time needs no name for it";
   source.trial_column = "t";
-  EXPECT_THAT(complaint(source), HasSubstr("/states and /command, which are joined; that excludes trial_column"));
+  EXPECT_THAT(complaint(source), HasSubstr("/states and /command, which are joined; this excludes trial_column"));
 }
 
 TEST_F(ForeignRecordings, WithValuesThatCannotBeAreRefused) {

@@ -288,7 +288,7 @@ class HeaderReasons : public testing::Test {
 
 TEST_F(HeaderReasons, NameTheRunThatIsRead) {
   const RigGuess rig = guess({{"Time (s) Run #1,Angle (rad) Run #1,Time (s) Run #2,Angle (rad) Run #2"}, "tqtq"});
-  EXPECT_EQ(reason(rig, "Angle (rad) Run #2"), "`Run #1` is read; write `Run #2` to a file of its own");
+  EXPECT_EQ(reason(rig, "Angle (rad) Run #2"), "`Run #1` is used; copy `Run #2` to a separate file");
 }
 
 TEST_F(HeaderReasons, NameTheColumnInAnotherUnit) {
@@ -297,12 +297,12 @@ TEST_F(HeaderReasons, NameTheColumnInAnotherUnit) {
 
 TEST_F(HeaderReasons, NameWhatDrivesInsteadOfASetpoint) {
   const RigGuess rig = guess({{"Zeit;Sollwinkel;Istwinkel;Motorstrom in A"}, "trqu", ';'});
-  EXPECT_EQ(reason(rig, "Sollwinkel"), "its name says what is wanted; `Motorstrom in A` drives the joint");
+  EXPECT_EQ(reason(rig, "Sollwinkel"), "its name says that it is a setpoint; `Motorstrom in A` drives the joint");
 }
 
 TEST_F(HeaderReasons, NameABatteryAsSuch) {
   EXPECT_EQ(reason(guess({{"t_s,theta_rad,supply_V"}, "tqa"}), "supply_V"),
-            "its name says that it is neither motion nor drive");
+            "its name is neither that of a motion nor of a drive");
 }
 
 TEST_F(HeaderReasons, SayHowToUseAnotherDrive) {
@@ -316,12 +316,12 @@ TEST_F(HeaderReasons, AFileIsReadTheSameWayWithItsTimeNamed) {
   source.commands.clear();
   const Recording recording = read_recording(source, {{"angle", "rad"}}, {}, {"joint.hinge"});
   EXPECT_EQ(recording.trials[0].measured.times.size(), 60);
-  EXPECT_THAT(notes_of(recording), HasSubstr("run.csv:3: the header is found here"));
+  EXPECT_THAT(notes_of(recording), HasSubstr("run.csv:3: the header was found in this line"));
 }
 
 TEST_F(HeaderReasons, ADriveThatIsNotReadIsNoted) {
   RecordingSource source = pendulum_source(folder_.write("run.csv", text_of({{"t;q;Motorstrom in A"}, "tqu", ';'})));
-  const std::string sentence = "no actuator is commanded, and `Motorstrom in A` is not read";
+  const std::string sentence = "no actuator has commands, and `Motorstrom in A` is not read";
   source.commands[0].column = "Motorstrom in A";
   source.commands[0].unit = "A";
   source.commands[0].gain_unit = "N*m/A";

@@ -85,9 +85,10 @@ TEST_F(JoinedFiles, AnotherUnitAndColumnOfTime) {
 
 TEST_F(JoinedFiles, NoTimeInCommonIsAProblem) {
   with.offset = 0.0;
-  EXPECT_THAT(complaint_of(source()), HasSubstr("camera.csv: has no time in common with drive.csv: it runs from 10.05 "
-                                                "s to 10.95 s on the clock of drive.csv, which runs from 0 s to 0.4 s. "
-                                                "State how the clocks differ, as in offset = \"-3 s\""));
+  EXPECT_THAT(
+      complaint_of(source()),
+      HasSubstr("camera.csv: has no time in common with drive.csv: it covers 10.05 s to 10.95 s on the clock of "
+                "drive.csv, which covers 0 s to 0.4 s. State the difference of the clocks, as in offset = \"-3 s\""));
 }
 
 TEST_F(JoinedFiles, AColumnThatNoneHasIsAProblem) {
@@ -134,7 +135,7 @@ TEST_F(JoinedFiles, AnOffsetIsFoundAndNoted) {
       largest = std::max(largest, std::abs(read - angle(trial.measured.times[i])));
   EXPECT_LT(largest, 2e-3);
   with.between = {-1.0, 1.0};
-  EXPECT_THAT(complaint_of(source()), HasSubstr("offset of its clock, compared with that of drive.csv, was not found"));
+  EXPECT_THAT(complaint_of(source()), HasSubstr("offset of its clock against that of drive.csv was not found"));
 }
 
 /// Intervals of the table are no clock's: those of each file are looked at.
@@ -149,7 +150,7 @@ TEST_F(JoinedFiles, IntervalsAreThoseOfEachFile) {
 TEST_F(JoinedFiles, APauseOfCommandsIsAProblem) {
   drive = "t,q\n0.0,0\n0.1,0.1\n0.2,0.2\n0.3,0.3\n0.4,0.4\n";
   camera = "t,u\n10.00,1\n10.01,2\n10.02,3\n10.03,4\n10.38,5\n";
-  EXPECT_THAT(complaint_of(source()), HasSubstr("camera.csv:6: a pause of 0.35 s before this sample"));
+  EXPECT_THAT(complaint_of(source()), HasSubstr("camera.csv:6: a gap of 0.35 s before this sample"));
 }
 
 TEST_F(JoinedFiles, ARowThatRepeatsIsLeftOut) {
@@ -183,9 +184,10 @@ TEST_F(JoinedFiles, AFileThatCannotBeReadIsOneProblem) {
 
 TEST_F(JoinedFiles, AColumnNamedInVainIsAProblem) {
   with.columns = {"qq"};
-  EXPECT_THAT(complaint_of(source()),
-              HasSubstr("columns names `qq` (did you mean \"q\"?), which the experiment does not "
-                        "read from any file; it reads `q`, `u`"));
+  EXPECT_THAT(
+      complaint_of(source()),
+      HasSubstr(
+          "columns names `qq` (did you mean \"q\"?), which the experiment reads from no file; it reads `q`, `u`"));
 }
 
 /// The first file's own time begins with its first date, wherever the trial does.
@@ -204,8 +206,10 @@ TEST_F(JoinedFiles, DatesCountFromTheFirstFiles) {
 
 TEST_F(JoinedFiles, ReadingsThatBeginLateAreNoted) {
   camera = "t,q\n10.15,0.15\n10.25,0.25\n10.35,0.35\n";
-  EXPECT_THAT(notes_of(read_pendulum(source())), HasSubstr("nothing is read before 0.15 s: begin there, as in use = "
-                                                           "[[0.15, 0.4]], or state the start"));
+  EXPECT_THAT(
+      notes_of(read_pendulum(source())),
+      HasSubstr(
+          "there are no readings before 0.15 s: begin there, as in use = [[0.15, 0.4]], or state the initial state"));
 }
 
 TEST_F(JoinedFiles, ThreeFilesAreOneTrial) {

@@ -215,7 +215,7 @@ TEST_F(MixedFile, CommandsOfSuchRowsAreNotApplied) {
 
 TEST_F(MixedFile, TwoCoursesOfEqualNumberAreRefusedWithWhatToDo) {
   const RecordingSource source = source_of(swing_between(kOtherJoint, 1), torque);
-  EXPECT_THAT(complaint_of(source), HasSubstr("column `q` holds two courses: "));
+  EXPECT_THAT(complaint_of(source), HasSubstr("column `q` contains two series: "));
   EXPECT_THAT(complaint_of(source), HasSubstr("delete the rows of the other one"));
 }
 

@@ -56,7 +56,7 @@ TEST_F(Plausibility, DegreesReadAsRadiansAreNoticed) {
 TEST_F(Plausibility, RadiansReadAsDegreesAreNoticed) {
   RecordingSource source = recorded({});
   source.sensors[0].unit = "deg";
-  EXPECT_THAT(notes(source), HasSubstr("column `q` moves within 2 deg only; is it in rad?"));
+  EXPECT_THAT(notes(source), HasSubstr("column `q` moves by only 2 deg; is it in rad?"));
   EXPECT_THAT(notes(source), HasSubstr("column `w` against the slope of `q`: 57.3 times"));
 }
 
@@ -126,7 +126,7 @@ TEST_F(Plausibility, AUnitInTheColumnsNameCounts) {
   RecordingSource source = recorded({}, "t,q [deg],u_Nm,w");
   source.sensors[0].column = "q [deg]";
   source.commands[0].column = "u_Nm";
-  EXPECT_THAT(notes(source), HasSubstr("run.csv:1: column `q [deg]` has the unit deg in its name, but is read in rad"));
+  EXPECT_THAT(notes(source), HasSubstr("run.csv:1: column `q [deg]` has the unit deg in its name but is read in rad"));
   EXPECT_THAT(notes(source), Not(HasSubstr("u_Nm")));
 }
 

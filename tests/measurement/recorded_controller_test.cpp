@@ -120,7 +120,7 @@ TEST_F(ARecordedController, IsRefusedWithoutItsColumnsAndInOtherUnits) {
   wrong = source();
   wrong.controllers.front().derivative_unit = "N*m/rad";
   EXPECT_THAT(complaint_of(wrong),
-              HasSubstr("derivative of the controller of motor turns rad into N*m: its unit is N*m*s/rad"));
+              HasSubstr("derivative of the controller of motor turns rad into N*m, so its unit is N*m*s/rad"));
   wrong = source();
   wrong.controllers.front().reference.column = "nowhere";
   EXPECT_THAT(complaint_of(wrong), HasSubstr("no column `nowhere`"));

@@ -251,7 +251,8 @@ TEST_F(ReadRecording, SplitsTheOnlyRecordingAndSaysSo) {
   EXPECT_TRUE(recording.trials[1].held_out);
   EXPECT_EQ(recording.trials[0].initial.front().knowledge, InitialKnowledge::given);
   EXPECT_EQ(recording.trials[1].initial.front().knowledge, InitialKnowledge::from_data) << "it starts elsewhere";
-  EXPECT_THAT(notes_of(recording), HasSubstr("the only recording: its last quarter, from 0.6 s on, is held out"));
+  EXPECT_THAT(notes_of(recording),
+              HasSubstr("this is the only recording, so its last quarter, from 0.6 s on, is held out"));
 }
 
 TEST_F(ReadRecording, SplitsNothingThatIsTooShort) {

@@ -161,7 +161,7 @@ TEST_F(MatchRobot, DoesNotCrossListsThatCountFromZero) {
   }
   const RigGuess rig = guess("q0,q1,q2,tau_0,tau_1,tau_2", robot);
   EXPECT_THAT(pairs(rig), ElementsAre("q1=q0", "q2=q1", "q3=q2", "q1=tau_0", "q2=tau_1", "q3=tau_2"));
-  EXPECT_EQ(rig.sensors[0].column.reason, "its number, counted from 0 where the joints' are from 1");
+  EXPECT_EQ(rig.sensors[0].column.reason, "its number, counted from 0; joints are counted from 1");
   EXPECT_THAT(pairs(guess("q1,q2,q3", robot)), ElementsAre("q1=q1", "q2=q2", "q3=q3"));
   EXPECT_THAT(pairs(guess("q2,q3", robot)), ElementsAre("q2=q2", "q3=q3")) << "not all joints";
 }

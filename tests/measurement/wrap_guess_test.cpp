@@ -232,7 +232,8 @@ class CountedFile : public testing::Test {
 TEST_F(CountedFile, IsReadAtItsOwnCount) {
   const WrappingCounter counter{.modulus = 1000.0, .step = 13.0};
   const Recording recording = read_pendulum(source(counter, 1000.0));
-  EXPECT_THAT(notes_of(recording), AllOf(HasSubstr("it starts again at 1000"), HasSubstr("encoding = \"wraps 1000\"")));
+  EXPECT_THAT(notes_of(recording),
+              AllOf(HasSubstr("the counter restarts at 1000"), HasSubstr("encoding = \"wraps 1000\"")));
   const auto angles = recording.trials.front().measured.samples.col(0);
   const std::vector<double> positions = counter.positions();
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -244,7 +245,7 @@ TEST_F(CountedFile, IsReadAtItsOwnCount) {
 TEST_F(CountedFile, IsRefusedWhereItsCountCannotBeTold) {
   const WrappingCounter noisy{.modulus = 1000.0, .step = 60.0, .noise = 12.0, .readings = 60};
   EXPECT_THAT(complaint_of(source(noisy, 777.0)),
-              AllOf(HasSubstr("The readings do not tell which count it is. State it in target.sensors.angle: "),
+              AllOf(HasSubstr("The readings agree with several counts. State the right one in target.sensors.angle: "),
                     HasSubstr("encoding = \"wraps 1000\" or encoding = \"wraps 2^10\"")));
   EXPECT_THAT(complaint_of(source(noisy, 1000.0)), IsEmpty());
 }

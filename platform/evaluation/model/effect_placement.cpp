@@ -130,7 +130,7 @@ class EntryCheck {
                                      unit_in_words(declaration->unit));
     else if (start < bounds.first || start > bounds.second)
       complain(".range." + name, "the start value, " + format_quantity(start, "1") + ", lies outside " +
-                                     text(bounds.first, bounds.second) + "is outside");
+                                     text(bounds.first, bounds.second) + "; give a start value within it");
   }
 
   /// Patterns one by one first, so that each bad one is named at its place.

@@ -334,16 +334,15 @@ Answer align(const Signals& first, const Signals& second, const std::pair<double
   double longest = coarse;
   while (2.0 * longest * kFewestWindows <= longer) longest *= 2.0;
   const std::optional<Look> look = look_for_offset(first, second, between, coarse, longest);
-  if (!look) return std::string("no offset within `between` lets half of the shorter file overlap");
+  if (!look) return std::string("no offset within `between` makes the files overlap by half of the shorter one");
   const SampledPair& pair = look->pair;
   const Found& found = look->found;
   if (!(found.best.unexplained < kMostUnexplained))
-    return std::string(
-        "whatever the offset, the readings of one file explain less than half of each signal of the other");
+    return std::string("at no offset do the readings of one file explain half of a signal of the other");
   for (const std::int64_t other : found.others)
     if (std::abs(other - found.best.shift) > 4 * kRowStride && !is_distinct(pair, found.best, other))
       return fmt::format(
-          "offsets of {:.4g} s and {:.4g} s explain `{}` equally well, so this motion does not tell them apart",
+          "offsets of {:.4g} s and {:.4g} s explain `{}` equally well, so this motion does not determine the offset",
           pair.offset(found.best.shift), pair.offset(other), name_of(first, second, found.best));
   std::vector<Fine> offsets;
   double near = pair.offset(found.best.shift), error_of_near = kInfinite;
@@ -356,7 +355,7 @@ Answer align(const Signals& first, const Signals& second, const std::pair<double
     error_of_near = one->error;
   }
   const std::optional<Fine> best = choose(offsets);
-  if (!best) return std::string("the best offset lies at the end of the range in which it was looked for");
+  if (!best) return std::string("the best offset lies at the end of the search range");
   fine = *best;
   fine.error = std::max(fine.error, kLeastError * interval);
   return ClockAlignment{fine.offset, fine.error, 0.0, 0.0, name_of(first, second, found.best)};
@@ -372,13 +371,14 @@ Answer align_clocks(const Signals& first, const Signals& second, const Alignment
     Answer answer = align(first, skewed(second, skew), task.between, fine);
     ClockAlignment* alignment = std::get_if<ClockAlignment>(&answer);
     if (!alignment && round > 0)
-      return std::string("the skew cannot be told from these files: leave skew out, or write its number");
+      return std::string("these files do not determine the skew: leave skew out, or write its number");
     if (!alignment) return answer;
     alignment->skew = skew;
     if (!task.finds_skew) return answer;
     if (fine.offsets.size() < 4)
       return std::string(
-          "too few stretches of time show an offset, so the skew cannot be told: leave skew out, or write its number");
+          "too few parts of the recording determine an offset, so the skew is unknown: leave skew out, or write its "
+          "number");
     const StraightLine line = line_through(fine.middles, fine.offsets);
     skew += line.slope;
     alignment->offset = line.at_zero;

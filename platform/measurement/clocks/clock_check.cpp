@@ -74,7 +74,7 @@ std::string advice_on_period(const TrialClock& clock, double after, double secon
   const double usual = std::abs(median_interval(clock.times));
   const double period = period_of_step_back(clock.origin + clock.times.back(), after, usual);
   if (period == 0.0) return {};
-  return fmt::format("; if the clock starts again every {:.9g} s, write encoding = \"{}\" in target.time", period,
+  return fmt::format("; if the clock restarts every {:.9g} s, write encoding = \"{}\" in target.time", period,
                      to_string(Encoding{EncodingKind::wraps, std::round(1e6 * period / seconds_per_unit) / 1e6}));
 }
 
@@ -102,9 +102,8 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
       } else {
         report.problem("repeated time", table.lines[row], [&] {
           return fmt::format(
-              "the time of {} again, {}, with other values; write time stamps with more digits, or keep one row. "
-              "Parts of a second in a column of their own are read where its name goes with that of the seconds, as "
-              "sec and nanosec",
+              "the time of {} again, {}, with other values; write time stamps with more digits, or keep one row. If "
+              "fractions of a second are in another column, give the two columns matching names, as in sec and nanosec",
               place_of(table, before), seconds(clock.origin + time));
         });
       }
@@ -171,8 +170,8 @@ void check_intervals(const TrialClock& whole, const CsvTable& table, const Recor
     if (interval > longest && !is_masked(source, from, from + interval)) {
       report.problem("gap", line, [&] {
         return fmt::format(
-            "a pause of {} before this sample (usual: {}); leave it out with target.time.use or target.time.mask, "
-            "or allow it with target.time.max_gap",
+            "a gap of {} before this sample (usual interval: {}); leave it out with target.time.use or "
+            "target.time.mask, or allow it with target.time.max_gap",
             seconds(interval), seconds(median));
       });
     } else if (interval > kDroppedInIntervals * median) {
@@ -187,13 +186,13 @@ void check_intervals(const TrialClock& whole, const CsvTable& table, const Recor
   if (dropped > 0.0)
     report.doubt("dropped", first_dropped, [&] {
       return fmt::format(
-          "about {:.0f} samples of {} are missing (usual interval {}), the first before this line; the "
-          "time stamps are taken as they are",
+          "about {:.0f} samples of {} are missing (usual interval {}), the first before this line; the time stamps are "
+          "used as they are",
           dropped, static_cast<double>(clock.times.size()) + dropped, seconds(median));
     });
   if (deviation > kNotedJitter * median * static_cast<double>(clock.times.size()))
     report.note("jitter", table.lines[clock.rows.front()], [&] {
-      return fmt::format("intervals vary between {} and {} (median {}); the time stamps are taken as they are",
+      return fmt::format("intervals vary between {} and {} (median {}); the time stamps are used as they are",
                          seconds(smallest), seconds(largest), seconds(median));
     });
   check_unit(median, table.lines[clock.rows.front()], source, report);

@@ -89,15 +89,15 @@ void note_wrap(const Wrap& wrap, const std::string& name, ReadTable& read) {
   const int line = read.table.lines[static_cast<std::size_t>(back - times.begin()) + 1];
   if (read.table.period > 0.0) {
     read.report.note("clock", line, [&] {
-      return fmt::format("the clock, column `{}`, starts again after {:.0f} h here; its time goes on", name,
+      return fmt::format("the clock, column `{}`, restarts after {:.0f} h here; its time is continued", name,
                          wrap.modulus() / kHour);
     });
     return;
   }
   read.report.doubt("clock", line, [&] {
     return fmt::format(
-        "the clock, column `{}`, starts again at {:.10g}{}; read so. State it in target.time: encoding = \"{}\"; if it "
-        "is wrong, encoding = \"plain\"",
+        "the clock, column `{}`, restarts at {:.10g}{}; its time is continued. State this in target.time: encoding = "
+        "\"{}\"; if it is wrong, encoding = \"plain\"",
         name, wrap.end, wrap.start < 0.0 ? fmt::format(" from {:.10g} on", wrap.start) : "",
         to_string(Encoding{EncodingKind::wraps, wrap.modulus()}));
   });

@@ -94,7 +94,7 @@ bool take_header_from_comment(const Beginning& beginning, const CsvFormatHints& 
   format.names = cells_of(names, delimiter);
   format.header_line = comment.number;
   format.first_line = beginning.lines().front().number;
-  report.note("header", comment.number, [] { return std::string("the last comment is read as the header"); });
+  report.note("header", comment.number, [] { return std::string("the last comment is used as the header"); });
   return true;
 }
 
@@ -102,7 +102,7 @@ std::size_t header_index(const Beginning& beginning, const CsvFormatHints& hints
   const std::size_t index = header_among(beginning.lines(), hints);
   if (index > 0)
     report.note("header", beginning.lines()[index].number,
-                [] { return std::string("the header is found here; what is above it is skipped"); });
+                [] { return std::string("the header was found in this line; lines above it are skipped"); });
   return index;
 }
 
@@ -113,9 +113,8 @@ void take_units_row(const NumberedLine& line, FileReport& report, CsvFormat& for
   if (units.empty()) return;
   format.units = std::move(units);
   format.first_line = line.number + 1;
-  report.note("units", line.number, [] {
-    return std::string("a row of units, skipped; the units that count are those in the experiment file");
-  });
+  report.note("units", line.number,
+              [] { return std::string("a row of units, skipped; the units in the experiment file are used"); });
 }
 
 /// `cells_of` reads Latin-1 where a cell is no UTF-8.
@@ -126,7 +125,7 @@ void note_latin1(std::string_view header, const CsvFormat& format, FileReport& r
   };
   const auto other = std::find_if_not(format.names.begin(), format.names.end(), is_plain);
   report.note("latin1", format.header_line, [&] {
-    return fmt::format("column names are not UTF-8, but read as Latin-1: `{}`; save the file as UTF-8",
+    return fmt::format("column names are not UTF-8 and are read as Latin-1: `{}`; save the file as UTF-8",
                        other == format.names.end() ? format.names.front() : *other);
   });
 }
@@ -183,7 +182,7 @@ CsvFormat find_csv_format(std::string_view text, const CsvFormatHints& hints, Fi
   CsvFormat format;
   if (beginning.lines().empty()) {
     report.problem("header", 0, [] {
-      return std::string("has no header and no samples; it needs a line with column names and one line a sample");
+      return std::string("has no header and no samples; it needs a line with column names and one line per sample");
     });
     return format;
   }
@@ -195,7 +194,7 @@ CsvFormat find_csv_format(std::string_view text, const CsvFormatHints& hints, Fi
   format.first_line = header.number + 1;
   if (all_numbers(format.names) && !take_header_from_comment(beginning, hints, report, format)) {
     report.problem("header", header.number, [] {
-      return std::string("numbers where the column names should be; put a header line such as `t,angle,torque` on top");
+      return std::string("numbers instead of column names; put a header line such as `t,angle,torque` on top");
     });
     format.names.clear();
     return format;

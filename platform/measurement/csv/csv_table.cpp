@@ -75,13 +75,13 @@ class TableReader {
   void read_row(std::string_view line, int number, bool cut) {
     if (line.find('\0') != line.npos) {
       report_.problem("zero bytes", number, [] {
-        return std::string("zero bytes, as a logger leaves that lost its power; cut the file off above this line");
+        return std::string("zero bytes, as after a power loss of the logger; delete the file from this line on");
       });
       return;
     }
     if (splitter_.split(line) == CellSplitter::Result::open_quote) {
       report_.problem("quotes", number, [] {
-        return std::string("a quoted cell is not closed on its line; cells with line ends in them are not read");
+        return std::string("a quoted cell is not closed on its line; cells with line breaks cannot be read");
       });
       return;
     }
@@ -102,7 +102,7 @@ class TableReader {
     }
     if (cells < names && cut) {
       report_.doubt("cut", number,
-                    [] { return std::string("the file breaks off in its last line, which is left out"); });
+                    [] { return std::string("the file ends in the middle of its last line, which is left out"); });
       return false;
     }
     report_.problem("size", number, [&] { return wrong_size(cells, names); });
@@ -113,8 +113,8 @@ class TableReader {
     if (!ends_in_cut_number(text_, format_)) return false;
     report_.doubt("cut", number, [&] {
       return fmt::format(
-          "the file ends in the middle of a line: its last number, `{}`, has fewer digits than all numbers above "
-          "it; the line is left out",
+          "the file ends in the middle of a line: its last number, `{}`, has fewer digits than all numbers above it; "
+          "the line is left out",
           excerpt(trimmed(splitter_.cells().back())));
     });
     return true;
@@ -122,7 +122,7 @@ class TableReader {
 
   std::string wrong_size(std::size_t cells, std::size_t names) const {
     std::string message =
-        fmt::format("{} cells where the header (line {}) has {} names", cells, format_.header_line, names);
+        fmt::format("{} cells, but the header (line {}) has {} names", cells, format_.header_line, names);
     if (format_.delimiter == ',' && cells > names)
       message += "; with decimal commas the cells must be separated by semicolons or tabs";
     if (cells < names) message += "; complete the row, with empty cells where nothing was measured, or delete it";
@@ -185,14 +185,15 @@ class TableReader {
 
   std::string bad_cell(const std::string& name, std::string_view cell, CellKind kind) const {
     if (kind == CellKind::missing)
-      return fmt::format("column `{}` has no value here (`{}`), and cannot do without", name, excerpt(trimmed(cell)));
+      return fmt::format("column `{}` has no value here (`{}`) but needs one in every row", name,
+                         excerpt(trimmed(cell)));
     if (kind == CellKind::infinite)
       return fmt::format("column `{}` has `{}`; leave the cell empty where nothing was measured", name,
                          excerpt(trimmed(cell)));
-    std::string message = fmt::format("column `{}` has `{}` where a number should be", name, excerpt(trimmed(cell)));
+    std::string message = fmt::format("column `{}` has `{}` instead of a number", name, excerpt(trimmed(cell)));
     const std::size_t length = message.size();
     if (!format_.decimal_comma && read_number(cell, true).kind == CellKind::number)
-      message += "; if that is a decimal comma, all numbers of the file must have one";
+      message += "; for a decimal comma, all numbers of the file must have one";
     if (format_.decimal_comma && read_number(cell, false).kind == CellKind::number)
       message += "; numbers of this file have decimal commas";
     if (message.size() == length) message += "; empty the cell if nothing was measured, or delete the row";
@@ -211,8 +212,9 @@ class TableReader {
     for (std::size_t i = 0; i < missing_.size(); ++i) {
       if (missing_[i] == 0) continue;
       report_.note("missing", first_missing_[i], [&] {
-        return fmt::format("column `{}` has no value in {} of {} rows, this being the first; read as not measured",
-                           query_.columns[i].name, missing_[i], table_.times.size());
+        return fmt::format(
+            "column `{}` has no value in {} of {} rows, the first of them here; these count as not measured",
+            query_.columns[i].name, missing_[i], table_.times.size());
       });
     }
   }

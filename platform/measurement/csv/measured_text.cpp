@@ -53,7 +53,7 @@ std::string read_bytes(const std::filesystem::path& path, std::string& complaint
     filled += got;
     if (filled == bytes.size()) bytes.resize(bytes.size() + kPiece);
   }
-  if (std::ferror(file.get())) complaint = fmt::format("cannot be read to its end: {}", std::strerror(errno));
+  if (std::ferror(file.get())) complaint = fmt::format("cannot be read completely: {}", std::strerror(errno));
   bytes.resize(filled);
   return bytes;
 }
@@ -91,15 +91,15 @@ std::string robot_file_in(const std::string& bytes) {
              is_toml = head.substr(start).starts_with("[robot]") || head.find("\n[robot]") != head.npos;
   const bool is_robot = is_toml || head.find("<robot") != head.npos || head.find("<mujoco") != head.npos;
   if (is_robot)
-    return "is a robot file, not a recording; name the robot under model.file or by --robot, and here a file with a "
-           "column of times and one for each reading";
-  return is_xml
-             ? "is XML, not a recording; export the recording as CSV, with a column of times and one for each reading"
-             : "";
+    return "is a robot file, not a recording; name the robot under model.file or by --robot, and here a file with one "
+           "column of times and one column per reading";
+  return is_xml ? "is XML, not a recording; export the recording as CSV, with one column of times and one column per "
+                  "reading"
+                : "";
 }
 
 std::string not_text(const std::string& bytes) {
-  if (bytes.empty()) return "is empty; it needs a header line with column names and one line a sample";
+  if (bytes.empty()) return "is empty; it needs a header line with column names and one line per sample";
   for (const BinaryFormat& format : kBinaryFormats)
     if (bytes.starts_with(format.first_bytes)) return std::string(format.complaint);
   if (std::string robot = robot_file_in(bytes); !robot.empty()) return robot;
@@ -118,7 +118,7 @@ std::string not_text(const std::string& bytes) {
 std::string why_no_file(const std::filesystem::path& path) {
   if (is_recording_folder(path)) return {};
   if (std::string reason = without_access(path); !reason.empty()) return reason;
-  if (is_unnamed_pipe(path)) return "is a pipe, from which CSV alone is read; name a file";
+  if (is_unnamed_pipe(path)) return "is a pipe, from which only CSV can be read; name a file";
   if (::access(path.c_str(), R_OK) != 0) return fmt::format("cannot be opened: {}", std::strerror(errno));
   return {};
 }
@@ -128,7 +128,7 @@ std::string read_measured_text(const std::filesystem::path& path, FileReport& re
   std::string text = read_bytes(path, complaint);
   if (const std::optional<Utf16> order = complaint.empty() ? utf16_in(text) : std::nullopt) {
     text = utf8_from_utf16(text, *order);
-    report.note("utf16", 0, [] { return std::string("is UTF-16 text, and is read as such"); });
+    report.note("utf16", 0, [] { return std::string("is UTF-16 text; read as such"); });
   }
   if (complaint.empty()) complaint = not_text(text);
   if (!complaint.empty()) {

@@ -9,9 +9,8 @@ namespace lacuna {
 
 /// What is said of a file of another format than CSV in which there is nothing to read.
 inline constexpr const char* kNoNumbers =
-    "has no numbers to read: its arrays are empty, or hold text; export the recording again, with a column of times "
-    "and "
-    "one for each reading";
+    "has no numbers: its arrays are empty or contain text; export the recording again, with one column of times and "
+    "one column per reading";
 
 /// Why there is no file of that name that can be read from any place in it, half a sentence; empty: there is one, or a
 /// folder of such files that is one recording (foundation/recording_folder.h).

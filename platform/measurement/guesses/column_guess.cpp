@@ -91,11 +91,11 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index, const st
     guess.role = *by_words;
     guess.reason = "its name";
   } else {
-    guess.reason = "nothing in its name tells what it is";
+    guess.reason = "its name does not show what it measures";
   }
-  if (guess.role == ColumnRole::reference) guess.reason = "its name says what is wanted";
+  if (guess.role == ColumnRole::reference) guess.reason = "its name says that it is a setpoint";
   if (guess.role == ColumnRole::other && by_words == ColumnRole::other)
-    guess.reason = "its name says that it is neither motion nor drive";
+    guess.reason = "its name is neither that of a motion nor of a drive";
   return guess;
 }
 
@@ -106,7 +106,7 @@ void leave_out_other_runs(const std::vector<CoreName>& cores, std::vector<Guesse
   for (std::size_t i = 0; i < cores.size(); ++i) {
     if (cores[i].run.empty() || cores[i].run == first->run) continue;
     columns[i].role = ColumnRole::other;
-    columns[i].reason = fmt::format("`{}` is read; write `{}` to a file of its own", first->run, cores[i].run);
+    columns[i].reason = fmt::format("`{}` is used; copy `{}` to a separate file", first->run, cores[i].run);
     columns[i].passed_over = true;
   }
 }
@@ -126,7 +126,7 @@ void settle_time(const FileSample& sample, std::vector<GuessedColumn>& columns) 
   for (GuessedColumn& column : columns) {
     if (&column == time || column.role != ColumnRole::time) continue;
     column.role = ColumnRole::other;
-    column.reason = "a time, but not the one that counts";
+    column.reason = "a time, but not the one used";
   }
   if (time) time->role = ColumnRole::time;
 }
@@ -188,8 +188,8 @@ void settle_supplies(const FileSample& sample, std::vector<GuessedColumn>& colum
         }))
       continue;
     column.role = ColumnRole::other;
-    column.reason =
-        fmt::format("it stays near {:.3g}{}: a supply, no drive", mean, column.unit.empty() ? "" : " " + column.unit);
+    column.reason = fmt::format("it stays near {:.3g}{}: a supply voltage, not a drive", mean,
+                                column.unit.empty() ? "" : " " + column.unit);
   }
 }
 
@@ -210,7 +210,7 @@ void apply_hint(const FileSample& sample, const std::vector<std::string>& names,
                                 listed(sample.format.names)));
     GuessedColumn& column = columns[static_cast<std::size_t>(index)];
     column.role = role;
-    column.reason = "you said so";
+    column.reason = "you named it";
     column.named_by_user = true;
     column.passed_over = false;
   }

@@ -155,7 +155,7 @@ class Matching {
       if (shifted.size() != 1) continue;
       const int from = shifted.front().begin()->first;
       const std::string reason =
-          fmt::format("its number, counted from {} where the joints' are from {}", from, slots.begin()->first);
+          fmt::format("its number, counted from {}; joints are counted from {}", from, slots.begin()->first);
       auto slot = slots.begin();
       for (const auto& [number, name] : shifted.front()) give((slot++)->second, name, reason);
     }
@@ -276,7 +276,7 @@ class Matching {
     if (std::all_of(ordered.begin(), ordered.end(), [&](const auto& one) { return number(one.second).has_value(); }))
       for (auto& [place, column] : ordered) place = *number(column);
     std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    const std::string reason = columns.size() == 1 ? "the only column that fits" : "the columns are in this order";
+    const std::string reason = columns.size() == 1 ? "the only column that fits" : "the order of the columns";
     for (std::size_t i = 0; i < peers.size(); ++i) {
       const auto at = std::find_if(free_.begin(), free_.end(),
                                    [&](const GuessedColumn& one) { return one.name == ordered[i].second.name; });
@@ -332,7 +332,7 @@ RobotMatch match_robot(const RobotSpec& robot, const std::vector<GuessedColumn>&
   for (const GuessedColumn& column : matching.free()) {
     match.unused.push_back(column);
     if (column.role != ColumnRole::other)
-      match.unused.back().reason = "no sensor or actuator of the robot is left for it";
+      match.unused.back().reason = "all sensors and actuators of the robot already have a column";
   }
   for (const GuessedColumn& column : columns)
     if (column.passed_over) match.unused.push_back(column);

@@ -137,7 +137,7 @@ void leave_out_velocities(const std::vector<std::string>& rest, std::vector<Gues
       if (std::vector<std::string> words = without_word(column.name, component).value_or(std::vector<std::string>{});
           !words.empty() && has_all(words, rest))
         column.role = ColumnRole::other;
-    if (column.role == ColumnRole::other) column.reason = "a component of the point's velocity, not the joint's";
+    if (column.role == ColumnRole::other) column.reason = "a component of the point's velocity, not of the joint's";
   }
 }
 
@@ -154,9 +154,9 @@ void settle_tracks(const FileSample& sample, std::vector<GuessedColumn>& columns
       if (!circle) continue;
       if (columns[i].unit.empty()) columns[i].unit = "m";
       columns[i].track = GuessedTrack{columns[j].name, circle->x, circle->y, circle->radius, circle->scatter};
-      columns[i].reason = "x and y go round a circle";
+      columns[i].reason = "x and y move on a circle";
       columns[j].role = ColumnRole::other;
-      columns[j].reason = fmt::format("the angle is made of it and `{}`", columns[i].name);
+      columns[j].reason = fmt::format("the angle is computed from it and `{}`", columns[i].name);
       columns[j].in_track = true;
       leave_out_velocities(*of_x, columns);
     }

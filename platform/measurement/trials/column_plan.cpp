@@ -24,9 +24,10 @@ std::string wrong_dimension(const ColumnMapping& mapping, const Channel& channel
   const std::optional<Unit> column = parse_unit(mapping.unit), rate = parse_unit(channel.unit + "*s");
   const bool of_position = column && rate && column->same_dimension(*rate);
   return fmt::format(
-      "{} cannot stand for {}, which is in {}; correct the unit, {}or give a gain with its unit, {}/({})",
+      "{} has another unit than {}, which is in {}; correct the unit, {}or give a gain with its unit, {}/({})",
       column_and_unit(mapping), channel.name, channel.unit,
-      of_position ? "write derivative = true for the rate of a command's column, " : "", channel.unit, mapping.unit);
+      of_position ? "write derivative = true if the column contains the rate of a command, " : "", channel.unit,
+      mapping.unit);
 }
 
 /// Of the angle or the distance that a tracked point gives, which is in SI.
@@ -34,11 +35,11 @@ double track_conversion(const ColumnMapping& mapping, const Channel& channel, co
                         ProblemList& problems) {
   if (channel.unit != "rad" && channel.unit != "m")
     problems.add(mapping.location,
-                 fmt::format("y = \"{}\" makes an angle or a distance of a tracked point; {} is in {}",
+                 fmt::format("y = \"{}\" makes an angle or a distance from a tracked point, but {} is in {}",
                              mapping.track.other, channel.name, channel.unit));
   if (!column.same_dimension(*parse_unit("m")) || !gain.same_dimension(*parse_unit("1")))
     problems.add(mapping.location,
-                 fmt::format("x and y of a tracked point are lengths, and their gain is a number, as in gain = -1 for "
+                 fmt::format("x and y of a tracked point are lengths, so their gain has no unit, as in gain = -1 for "
                              "an angle in the other direction; the unit here is {}{}",
                              mapping.unit, mapping.gain_unit.empty() ? "" : " times " + mapping.gain_unit));
   return mapping.gain;
@@ -105,8 +106,9 @@ double seconds_per_time_unit(const RecordingSource& source, ProblemList& problem
   const std::optional<Unit> unit = parse_unit(source.time_unit);
   if (unit && unit->same_dimension(*parse_unit("s"))) return unit->to_si;
   const SourceLocation location = source.files.empty() ? SourceLocation{} : source.files.front().location;
-  problems.add({location.file, 0, 0},
-               fmt::format("the time column's unit `{}` is not one of time; use s, ms, us or min", source.time_unit));
+  problems.add(
+      {location.file, 0, 0},
+      fmt::format("the time column's unit `{}` is not a unit of time; use s, ms, us or min", source.time_unit));
   return 1.0;
 }
 

@@ -42,7 +42,7 @@ void check_gain(const std::string& written, const Channel& command, const Channe
   const std::string unit = fmt::format("{}{}/{}", command.unit, seconds > 0 ? "*s" : "",
                                        seconds < 0 ? fmt::format("({}*s)", sensor.unit) : sensor.unit);
   problems.add(mapping.location,
-               fmt::format("{} of the controller of {} turns {} into {}: its unit is {}, as in \"8 {}\"", key,
+               fmt::format("{} of the controller of {} turns {} into {}, so its unit is {}, as in \"8 {}\"", key,
                            mapping.actuator, sensor.unit, command.unit, unit, unit));
 }
 
@@ -56,15 +56,15 @@ void plan_controllers(const std::vector<ControllerMapping>& controllers, const s
     const std::optional<Eigen::Index> command = column_of(plan.commands, mapping.actuator),
                                       reading = column_of(plan.sensors, mapping.sensor);
     if (!command)
-      problems.add(mapping.location,
-                   fmt::format("target.controllers names the actuator `{}`, which has no column in target.commands; "
-                               "those that have one: {}",
-                               mapping.actuator, known(plan.commands)));
+      problems.add(mapping.location, fmt::format("target.controllers names the actuator `{}`, which has no column in "
+                                                 "target.commands; actuators with a column: {}",
+                                                 mapping.actuator, known(plan.commands)));
     if (!reading)
-      problems.add(mapping.location,
-                   fmt::format("the controller of {} reads `{}`, which has no column in target.sensors; those that "
-                               "have one: {}",
-                               mapping.actuator, mapping.sensor, known(plan.sensors)));
+      problems.add(
+          mapping.location,
+          fmt::format(
+              "the controller of {} reads `{}`, which has no column in target.sensors; sensors with a column: {}",
+              mapping.actuator, mapping.sensor, known(plan.sensors)));
     if (!command || !reading) continue;
     const Channel &sensor = plan.sensors[static_cast<std::size_t>(*reading)].channel,
                   &driven = plan.commands[static_cast<std::size_t>(*command)].channel;

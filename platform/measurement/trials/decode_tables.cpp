@@ -29,7 +29,7 @@ void drop_unwritten(const std::vector<const PlannedColumn*>& planned, ReadTable&
     }
     if (count == 0) continue;
     read.report.doubt("unwritten " + planned[c]->mapping->column, read.table.lines[first], [&] {
-      return fmt::format("column `{}` has {} below 1e-290 or beyond 1e30, which no device measures: taken as missing",
+      return fmt::format("column `{}` has {} below 1e-290 or beyond 1e30, which no device measures; treated as missing",
                          planned[c]->mapping->column, counted(count, "number"));
     });
   }
@@ -58,10 +58,10 @@ ColumnParts parts_of(const std::vector<ReadTable>& tables, std::size_t column) {
 std::string meaning_of(const Encoding& encoding) {
   switch (encoding.kind) {
     case EncodingKind::sign_bit:
-      return fmt::format("negative values are written as {:.0f} + their size", encoding.modulus);
+      return fmt::format("negative values are stored as {:.0f} + their size", encoding.modulus);
     case EncodingKind::twos_complement:
-      return fmt::format("negative values are written as {:.0f} minus their size", encoding.modulus);
-    case EncodingKind::wraps: return fmt::format("it starts again at {:.6g}", encoding.modulus);
+      return fmt::format("negative values are stored as {:.0f} minus their size", encoding.modulus);
+    case EncodingKind::wraps: return fmt::format("the counter restarts at {:.6g}", encoding.modulus);
     case EncodingKind::automatic:
     case EncodingKind::plain: break;
   }
@@ -93,12 +93,12 @@ void note_encoding(const ColumnMapping& mapping, const std::string& section, con
   const auto [read, line] = line_of(found.first, parts, tables);
   read->report.doubt("encoding of " + mapping.column, line, [&, &jumps = found.jumps] {
     std::string text = fmt::format(
-        "column `{}` jumps {}, here for the first time, because {}; read so. State it in target.{}.{}: encoding = "
-        "\"{}\"; if it is wrong, encoding = \"plain\"",
+        "column `{}` jumps {}, here for the first time: {}; decoded accordingly. State this in target.{}.{}: encoding "
+        "= \"{}\"; if it is wrong, encoding = \"plain\"",
         mapping.column, counted(jumps, "time"), meaning_of(found.encoding), section, mapping.channel,
         to_string(found.encoding));
     if (found.moduli.size() > 1)
-      text += ". The readings alone also allow " + lines_to_write(std::span(found.moduli).subspan(1));
+      text += ". The readings also agree with " + lines_to_write(std::span(found.moduli).subspan(1));
     return text;
   });
 }
@@ -108,16 +108,17 @@ void refuse_wrap(const ColumnMapping& mapping, const std::string& section, const
                  const ColumnParts& parts, std::vector<ReadTable>& tables) {
   const auto [read, line] = line_of(found.first, parts, tables);
   read->report.problem("encoding of " + mapping.column, line, [&, &jumps = found.jumps] {
-    std::string text = fmt::format(
-        "column `{}` jumps {}, here for the first time, as a counter does that starts again at {:.9g} ± {:.2g}. ",
-        mapping.column, counted(jumps, "time"), found.estimate, found.error);
+    std::string text =
+        fmt::format("column `{}` jumps {}, here for the first time, like a counter that restarts at {:.9g} ± {:.2g}. ",
+                    mapping.column, counted(jumps, "time"), found.estimate, found.error);
     if (found.moduli.empty())
-      text += fmt::format("No usual count is near. State it in target.{}.{}, as in encoding = \"wraps {:.0f}\"",
-                          section, mapping.channel, found.estimate);
+      text +=
+          fmt::format("No usual count is near this value. State it in target.{}.{}, as in encoding = \"wraps {:.0f}\"",
+                      section, mapping.channel, found.estimate);
     else
-      text += fmt::format("The readings do not tell which count it is. State it in target.{}.{}: {}", section,
+      text += fmt::format("The readings agree with several counts. State the right one in target.{}.{}: {}", section,
                           mapping.channel, lines_to_write(found.moduli));
-    return text + "; if nothing starts again, encoding = \"plain\"";
+    return text + "; if no counter restarts, encoding = \"plain\"";
   });
 }
 

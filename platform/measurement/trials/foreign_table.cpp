@@ -52,7 +52,8 @@ class RowTable {
     whole = whole && (rows_.lines.empty() || rows_.lines.size() == rows_.columns.front().size());
     if (!whole)
       report_.problem("format", 0, [] {
-        return std::string("the plugin that reads this format gave other columns than asked for; repair the plugin");
+        return std::string(
+            "the plugin that reads this format returned other columns than requested; repair the plugin");
       });
     return whole;
   }
@@ -66,7 +67,8 @@ class RowTable {
         kept_.push_back(row);
       } else if (has_value(row)) {
         report_.problem("time", line_of(row), [&] {
-          return fmt::format("column `{}` has no value in row {}, and cannot do without", query_.time_column, row + 1);
+          return fmt::format("column `{}` has no value in row {} but needs one in every row", query_.time_column,
+                             row + 1);
         });
       } else if (without++ == 0) {
         first_without = row;
@@ -74,8 +76,9 @@ class RowTable {
     }
     if (without == 0) return;
     report_.note("empty rows", line_of(first_without), [&] {
-      return fmt::format("{} of {} rows have neither a time nor any of the columns, row {} first; left out", without,
-                         times.size(), first_without + 1);
+      return fmt::format(
+          "{} of {} rows have neither a time nor any of the columns, the first is row {}; these rows are left out",
+          without, times.size(), first_without + 1);
     });
   }
 
@@ -127,8 +130,9 @@ class RowTable {
     }
     if (missing > 0)
       report_.note("missing", line_of(first_missing), [&] {
-        return fmt::format("column `{}` has no value in {} of {} rows, row {} first; read as not measured", name,
-                           missing, kept_.size(), first_missing + 1);
+        return fmt::format(
+            "column `{}` has no value in {} of {} rows, the first is row {}; these count as not measured", name,
+            missing, kept_.size(), first_missing + 1);
       });
     return column;
   }

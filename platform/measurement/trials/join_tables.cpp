@@ -124,9 +124,8 @@ void note_alignment(const FurtherFile& file, const ClockAlignment& found, const 
     if (!file.offset) numbers.push_back("offset = " + with_error(found.offset, found.offset_error) + " s");
     if (!file.skew) numbers.push_back("skew = " + with_error(found.skew, found.skew_error));
     return fmt::format(
-        "its clock was compared with that of {} by `{}`: {} (standard errors). A delay of a drive or a sensor is part "
-        "of "
-        "the offset",
+        "its clock was compared with that of {} by `{}`: {} (± standard error). The offset includes any delay of a "
+        "drive or a sensor",
         first.name, found.by, fmt::join(numbers, ", "));
   });
 }
@@ -141,11 +140,11 @@ void set_clock(const FurtherFile& file, const RecordingPlan& plan, Hold hold, co
   const auto answer = align_clocks(signals_of(first, plan, hold), signals_of(part, plan, hold), task);
   if (const std::string* reason = std::get_if<std::string>(&answer)) {
     part.read.report.problem("clock", 0, [&] {
-      return fmt::format("{} of its clock, compared with that of {}, was not found: {}. {}",
-                         file.offset ? "skew" : "offset", first.name, *reason,
-                         file.offset ? "Write it, as in skew = 2e-5"
-                                     : "Write it, as in offset = \"0.2 s\", or where it lies, as in between = [\"-0.5 "
-                                       "s\", \"0.5 s\"]");
+      return fmt::format(
+          "{} of its clock against that of {} was not found: {}. {}", file.offset ? "skew" : "offset", first.name,
+          *reason,
+          file.offset ? "Write it, as in skew = 2e-5"
+                      : "Write it, as in offset = \"0.2 s\", or its range, as in between = [\"-0.5 s\", \"0.5 s\"]");
     });
     return;
   }
@@ -180,9 +179,8 @@ void check_overlap(std::vector<Part>& parts) {
     if (part.times.front() < first.times.back() && part.times.back() > first.times.front()) continue;
     part.read.report.problem("no overlap", 0, [&] {
       return fmt::format(
-          "has no time in common with {0}: it runs from {1} to {2} on the clock of {0}, which runs from {3} to {4}. "
-          "State how "
-          "the clocks differ, as in offset = \"-3 s\", or write offset = \"auto\"",
+          "has no time in common with {0}: it covers {1} to {2} on the clock of {0}, which covers {3} to {4}. State "
+          "the difference of the clocks, as in offset = \"-3 s\", or write offset = \"auto\"",
           first.name, first.own_time(part.times.front()), first.own_time(part.times.back()),
           first.own_time(first.times.front()), first.own_time(first.times.back()));
     });
@@ -310,9 +308,10 @@ void note_late_readings(const std::vector<Part>& parts, const RecordingPlan& pla
       if (part.has(c)) first_reading = std::min(first_reading, part.times.front());
   if (!(first_reading > span.start + kLateReading)) return;
   report.doubt("late readings", 0, [&] {
-    return fmt::format("nothing is read before {0}: begin there, as in use = [[{1:.9g}, {2:.9g}]], or state the start",
-                       parts.front().own_time(first_reading), parts.front().clock.origin + first_reading,
-                       parts.front().clock.origin + span.end);
+    return fmt::format(
+        "there are no readings before {0}: begin there, as in use = [[{1:.9g}, {2:.9g}]], or state the initial state",
+        parts.front().own_time(first_reading), parts.front().clock.origin + first_reading,
+        parts.front().clock.origin + span.end);
   });
 }
 
@@ -321,7 +320,7 @@ CsvTable join(std::vector<Part>& parts, const RecordingPlan& plan, Hold hold) {
   Part& first = parts.front();
   if (!(span.start < span.end)) {
     first.read.report.problem("no overlap", 0, [] {
-      return std::string("at no time are all commands known, which come from several files that do not overlap");
+      return std::string("the files with commands do not overlap: at no time are all commands known");
     });
     return {};
   }

@@ -58,7 +58,7 @@ struct LookedAt {
 };
 
 std::string course_of(const LookedAt& at, const SecondStream& stream) {
-  return stream.constant ? "are " + at.quantity(*stream.constant) : std::string("follow a course of their own");
+  return stream.constant ? "are " + at.quantity(*stream.constant) : std::string("belong to another series");
 }
 
 void say_stream(const LookedAt& at, const SecondStream& stream, FileReport& report) {
@@ -66,16 +66,16 @@ void say_stream(const LookedAt& at, const SecondStream& stream, FileReport& repo
   if (stream.is_sure)
     report.doubt("stream of " + at.mapping.column, line, [&] {
       return fmt::format(
-          "column `{}`: {} are left out with their rows. They {} between the others, as where a second publisher or "
-          "another sensor writes to the file; {} compares them",
+          "column `{}`: {} are left out with their rows. They {} between the others, as if a second publisher or "
+          "another sensor wrote to the file; {} keeps them",
           at.mapping.column, at.readings(stream.readings, stream.of), course_of(at, stream), at.keep());
     });
   else
     report.problem("stream of " + at.mapping.column, line, [&] {
       return fmt::format(
-          "column `{}` holds two courses: {} {} between the others, as where two publishers or sensors write to one "
-          "file. Which of the two is meant cannot be told; delete the rows of the other one. If all readings are this "
-          "sensor's: {}",
+          "column `{}` contains two series: {} {} between the others, as if two publishers or sensors wrote to one "
+          "file. The right series cannot be determined; delete the rows of the other one. If all readings come from "
+          "this sensor: {}",
           at.mapping.column, at.readings(stream.readings, stream.of), course_of(at, stream), at.keep());
     });
 }
@@ -106,9 +106,8 @@ void leave_out_rows(Trial& trial, std::size_t found_in, const std::vector<std::s
 void leave_out_pulses(const LookedAt& at, const Glitches& glitches, FileReport& report) {
   report.note("pulses of " + at.mapping.column, at.lines[glitches.readings.front()], [&] {
     return fmt::format(
-        "column `{}`: {} leave a level at which the others rest and come back at once. They are compared, since a "
-        "joint "
-        "may move so shortly; if they are glitches, empty these cells",
+        "column `{}`: {} leave a level at which the other readings rest and return at once. They are used, because a "
+        "joint may move so briefly; if they are glitches, empty these cells",
         at.mapping.column, at.readings(glitches.readings, glitches.of));
   });
 }
@@ -126,7 +125,7 @@ void say_each(const LookedAt& at, const std::vector<std::size_t>& glitches, File
     while (next < glitches.size() && glitches[next] - row == next - first) ++next;
     const std::string& unit = at.series.channels[at.channel].unit;
     report.doubt("glitch of " + at.mapping.column, at.lines[row], [&] {
-      return fmt::format("column `{}` at {}: {:.3g} {} for {}, {:.3g} {} before: a glitch, left out; {} compares it",
+      return fmt::format("column `{}` at {}: {:.3g} {} for {}, {:.3g} {} before: a glitch, left out; {} keeps it",
                          at.mapping.column, at.time(row), at.value(row), unit, counted(next - first, "reading"),
                          at.value(reading_before(at, glitches, row)), unit, at.keep());
     });
@@ -143,8 +142,8 @@ void leave_out_glitches_of(const LookedAt& at, FileReport& report) {
   if (share > kMostGlitches) {
     report.problem("glitches of " + at.mapping.column, line, [&] {
       return fmt::format(
-          "column `{}`: {} leave the signal by far and come back at once. So many glitches leave too little to be sure "
-          "of; mend the connection of the sensor and record again, or empty these cells. If they are motion: {}",
+          "column `{}`: {} leave the signal by far and return at once. With so many glitches the rest is not reliable; "
+          "repair the connection of the sensor and record again, or empty these cells. If they are motion: {}",
           at.mapping.column, at.readings(glitches.readings, glitches.of), at.keep());
     });
     return;
@@ -154,7 +153,7 @@ void leave_out_glitches_of(const LookedAt& at, FileReport& report) {
   else
     report.doubt("glitches of " + at.mapping.column, line, [&] {
       return fmt::format(
-          "column `{}`: {} leave the signal by far and come back at once: glitches, left out; {} compares them",
+          "column `{}`: {} leave the signal by far and return at once: glitches, left out; {} keeps them",
           at.mapping.column, at.readings(glitches.readings, glitches.of), at.keep());
     });
   clear(at.series, at.channel, glitches.readings);

@@ -103,7 +103,7 @@ std::optional<OpenedTables> open_tables(const std::string& table, const std::vec
     return opened;
   }
   file.report.problem("table", 0, [&] {
-    if (table.empty()) return fmt::format("has several tables; say table = \"...\", one of {}", listed(names));
+    if (table.empty()) return fmt::format("has several tables; give table = \"...\", one of {}", listed(names));
     return fmt::format("no table `{}`{}; the tables are {}", excerpt(table), did_you_mean(table, names), listed(names));
   });
   return std::nullopt;
@@ -121,7 +121,7 @@ void take_run(const std::string& run, OpenedFile& file) {
   if (std::ranges::find(file.runs, run) == file.runs.end()) {
     file.report.problem("table", file.format.header_line, [&] {
       if (file.runs.empty())
-        return fmt::format("no table `{}`: no column's name ends with the number of a run; leave table out",
+        return fmt::format("no table `{}`: no column name ends with the number of a run; leave table out",
                            excerpt(run));
       return fmt::format("no table `{}`{}; the runs in its header are {}", excerpt(run), did_you_mean(run, file.runs),
                          listed(file.runs));
@@ -205,7 +205,7 @@ void check_found_tables(const RecordingSource& source, OpenedRecording& recordin
   for (const OpenedFile& table : recording.tables) {
     if (!table.is_found) continue;
     recording.tables.front().report.problem("tables", 0, [&] {
-      return fmt::format("columns come from the tables {} and {}, which are joined; that excludes {}",
+      return fmt::format("the columns are in the tables {} and {}, which are joined; this excludes {}",
                          *recording.tables.front().table, *table.table,
                          source.trial_column.empty() ? "target.controllers" : "trial_column");
     });

@@ -60,19 +60,19 @@ void check_unit(const PlannedColumn& column, const CsvFormat& format, const Name
   const std::string in_name = unit_in_name(mapping.column);
   if (!in_name.empty() && !same_unit(in_name, mapping.unit))
     report.doubt("unit of " + mapping.column, format.header_line, [&] {
-      return fmt::format("column `{}` has the unit {} in its name, but is read in {}", mapping.column, in_name,
+      return fmt::format("column `{}` has the unit {} in its name but is read in {}", mapping.column, in_name,
                          mapping.unit);
     });
   const std::size_t index = names.find(mapping.column).value_or(format.names.size());
   if (index < format.units.size() && !format.units[index].empty() && !same_unit(format.units[index], mapping.unit))
     report.doubt("units row of " + mapping.column, std::max(format.first_line - 1, 0), [&] {
-      return fmt::format("the {} says {} for column `{}`, which is read in {}",
+      return fmt::format("the {} states {} for column `{}`, which is read in {}",
                          format.header_line > 0 ? "row of units" : "file", format.units[index], mapping.column,
                          mapping.unit);
     });
   if (mapping.unit == "1" && mapping.gain_unit.empty() && column.channel.unit == "rad")
     report.doubt("no unit of " + mapping.column, format.header_line, [&] {
-      return fmt::format("column `{}` has no unit and is read in rad; say unit = \"rad\" or \"deg\"", mapping.column);
+      return fmt::format("column `{}` has no unit and is read in rad; write unit = \"rad\" or \"deg\"", mapping.column);
     });
 }
 
@@ -93,9 +93,8 @@ void check_size(const PlannedColumn& column, const SignalShape& shape, int line,
   for (const SmallUnit& small : kSmallUnits) {
     if (mapping.unit != small.column_unit || written > small.smallest || mapping.gain != 1.0) continue;
     report.doubt("size of " + mapping.column, line, [&] {
-      return fmt::format(
-          "column `{}` moves within {:.3g} {} only; is it in {}? Then write {} = {{ ..., unit = \"{}\" }}",
-          mapping.column, written, mapping.unit, small.likelier, mapping.channel, small.likelier);
+      return fmt::format("column `{}` moves by only {:.3g} {}; is it in {}? Then write {} = {{ ..., unit = \"{}\" }}",
+                         mapping.column, written, mapping.unit, small.likelier, mapping.channel, small.likelier);
     });
   }
 }
@@ -119,9 +118,8 @@ void check_column(const PlannedColumn& column, const TimeSeries& series, Eigen::
   if (shape.clipped == 0 || command) return;
   report.doubt("saturated " + mapping.column, line, [&] {
     return fmt::format(
-        "column `{}` stays at its {} {} for {} samples, {} times after moving fast: saturated? target.time.mask keeps "
-        "such "
-        "stretches from being compared",
+        "column `{}` stays at its {} {} for {} samples, {} times after a fast motion: is it saturated? "
+        "target.time.mask excludes such times",
         mapping.column, shape.clipped_high ? "largest value" : "smallest value",
         format_quantity(shape.clipped_high ? shape.highest : shape.lowest, column.channel.unit), shape.clipped,
         shape.clipped_runs);
@@ -132,7 +130,7 @@ std::string in_words(double ratio) {
   for (const NamedRatio& named : kNamedRatios)
     if (std::abs(std::abs(ratio) / named.ratio - 1.0) < kSameRatio)
       return (ratio < 0.0 ? "minus " : "") + std::string(named.reason);
-  if (std::abs(ratio + 1.0) < kSameRatio) return "its opposite: the signs of the two differ";
+  if (std::abs(ratio + 1.0) < kSameRatio) return "the signs of the two differ";
   return fmt::format("{:.3g} times", ratio);
 }
 

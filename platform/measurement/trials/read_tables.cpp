@@ -34,13 +34,13 @@ void check_column(const std::string& name, OpenedFile& file) {
   const std::size_t count = file.count(name);
   if (count == 1 || !file.told.insert(name).second) return;
   file.report.problem("column " + name, file.format.header_line, [&] {
-    if (count > 1) return fmt::format("{} columns are called `{}`; rename all but one", count, excerpt(name));
+    if (count > 1) return fmt::format("{} columns have the name `{}`; rename all but one", count, excerpt(name));
     if (file.run.empty() && std::ranges::any_of(file.runs, [&](const std::string& run) {
           return NameIndex(names_of_run(names, run)).count(name) > 0;
         }))
       return fmt::format(
-          "no column `{}` but one in each of the runs {}; write [[target.recording]] with this file and "
-          "table = \"{}\"",
+          "no column `{}`, but one in each of the runs {}; write [[target.recording]] with this file and table = "
+          "\"{}\"",
           excerpt(name), listed(file.runs), file.runs.front());
     return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, names), listed(names));
   });
@@ -50,8 +50,8 @@ void check_column(const std::string& name, OpenedFile& file) {
 void check_named(const std::string& name, const std::vector<std::string>& wanted, OpenedFile& file) {
   if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) return check_column(name, file);
   file.report.problem("named " + name, 0, [&] {
-    return fmt::format("columns names `{}`{}, which the experiment does not read from any file; it reads {}",
-                       excerpt(name), did_you_mean(name, wanted), listed(wanted));
+    return fmt::format("columns names `{}`{}, which the experiment reads from no file; it reads {}", excerpt(name),
+                       did_you_mean(name, wanted), listed(wanted));
   });
 }
 
@@ -66,7 +66,7 @@ std::size_t file_of(const std::string& name, std::vector<OpenedFile>& files) {
     if (files[f].only.empty() && files[f].has(name)) sources.push_back(f);
   if (sources.size() > 1)
     files[sources.front()].report.problem("column " + name, files[sources.front()].format.header_line, [&] {
-      return fmt::format("column `{}` is also {} {}; let columns = [...] of one file alone name it", excerpt(name),
+      return fmt::format("column `{}` is also {} {}; let columns = [...] of only one file name it", excerpt(name),
                          is_named ? "named for" : "in", files[sources[1]].path.string());
     });
   return sources.empty() ? 0 : sources.front();

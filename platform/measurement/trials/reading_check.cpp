@@ -39,8 +39,8 @@ void leave_out_repeats(TimeSeries& measured, std::size_t c, const ColumnMapping&
       (measured.times(measured.times.size() - 1) - measured.times(0)) / static_cast<double>(measured.times.size() - 1);
   report.note("repeats of " + mapping.column, line, [&] {
     return fmt::format(
-        "column `{}` has a new reading every {} rows ({:.3g} s) and repeats it in between: each reading is used once; "
-        "keep = [\"repeats\"] in target.sensors.{} uses all rows",
+        "column `{}` has a new reading only every {} rows ({:.3g} s) and repeats it in between: each reading is used "
+        "once; keep = [\"repeats\"] in target.sensors.{} uses all rows",
         mapping.column, repeats.every, static_cast<double>(repeats.every) * interval, mapping.channel);
   });
 }
@@ -59,16 +59,15 @@ bool keep_events_only(Trial& trial, std::size_t c, const ColumnMapping& mapping,
   const EventCounter counter = find_events(times, column_of(measured, c), unit == "rad" ? kCoarseAngle : kCoarseLength);
   if (counter.events.empty()) return false;
   const std::string found = fmt::format(
-      "column `{}` counts events: it changes by one count ({}) at a time and stands still for some {:.0f} rows in "
-      "between, which say nothing of the motion",
+      "column `{}` counts events: it changes by one count ({}) at a time and is constant for about {:.0f} rows in "
+      "between, which contain no information on the motion",
       mapping.column, format_quantity(counter.count, unit), counter.rows_between);
   if (!has_known_start(trial)) {
     report.doubt("events of " + mapping.column, line, [&] {
       return fmt::format(
-          "{}. All rows are compared nevertheless, because its changes do not show the start. To compare the {} "
-          "changes "
-          "alone, state the start in target.initial or let it be fitted, as in hinge = {{ velocity = 9.0, knowledge = "
-          "\"free\" }}",
+          "{}. All rows are used nevertheless, because its changes do not determine the initial state. To use only the "
+          "{} changes, state the initial state in target.initial or let it be fitted, as in hinge = {{ velocity = 9.0, "
+          "knowledge = \"free\" }}",
           found, counter.events.size());
     });
     return false;
@@ -84,8 +83,8 @@ bool keep_events_only(Trial& trial, std::size_t c, const ColumnMapping& mapping,
   if (std::isnan(declared)) declared = noise;
   report.doubt("events of " + mapping.column, line, [&] {
     return fmt::format(
-        "{}. Only its {} changes are compared, each to {}, which is what one row is long; keep = [\"repeats\"] in "
-        "target.sensors.{} compares all rows",
+        "{}. Only its {} changes are used, each with a tolerance of {}, the length of one row; keep = [\"repeats\"] in "
+        "target.sensors.{} uses all rows",
         found, counter.events.size(), format_quantity(noise, unit), mapping.channel);
   });
   return true;
@@ -149,8 +148,10 @@ void check_commands(const Trial& trial, const RecordingPlan& plan, int line, Fil
     for (std::size_t s = 0; s < plan.sensors.size(); ++s) {
       if (!is_copy(column_of(trial.measured, s), command)) continue;
       report.doubt("copy " + mapping.column, line, [&] {
-        return fmt::format("the command column `{}` is a copy of the reading `{}`: name the column that was commanded",
-                           mapping.column, plan.sensors[s].mapping->column);
+        return fmt::format(
+            "the command column `{}` is a copy of the reading `{}`: name the column of the commands sent to the "
+            "actuator",
+            mapping.column, plan.sensors[s].mapping->column);
       });
     }
     const std::string& unit = plan.commands[c].channel.unit;
@@ -158,8 +159,8 @@ void check_commands(const Trial& trial, const RecordingPlan& plan, int line, Fil
     if (!pushes || folded_turns(command) < kFewestTurns) continue;
     report.doubt("sign of " + mapping.column, line, [&] {
       return fmt::format(
-          "the command column `{}` is never negative and turns sharply at zero {}: its sign is lost, as in a current's "
-          "size; record the signed command",
+          "the command column `{}` is never negative and turns sharply at zero {}: its sign was lost, as in the "
+          "magnitude of a current; record the signed command",
           mapping.column, counted(folded_turns(command), "time"));
     });
   }

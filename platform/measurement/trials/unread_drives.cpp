@@ -30,7 +30,7 @@ void note_unread_drives(const RecordingSource& source, const CsvFormat& format, 
   if (unread.empty()) return;
   report.note("drives", format.header_line, [&] {
     return fmt::format(
-        "no actuator is commanded, and {} {} not read; if the rig was driven by it, the robot needs an actuator and "
+        "no actuator has commands, and {} {} not read; if this drives the rig, the robot needs an actuator and "
         "[target.commands] the column",
         listed(unread), unread.size() == 1 ? "is" : "are");
   });

@@ -74,7 +74,7 @@ class EffectExercise : public Exercise {
   }
 
   std::string reservation() const override {
-    return places_.empty() ? "it refuses the elements of a robot of two links: " + refusal_ : "";
+    return places_.empty() ? "it refuses the elements of a robot with two links: " + refusal_ : "";
   }
 
  private:

@@ -17,7 +17,7 @@ constexpr std::uint64_t kGenomes = 30;
 
 /// The first fault of a layout; empty: none.
 std::string layout_fault(const GenomeLayout& layout) {
-  if (layout.size() == 0) return "layout() has no gene; throw an Error where there is nothing to encode";
+  if (layout.size() == 0) return "layout() has no gene; throw an Error if there is nothing to encode";
   std::set<std::string> names;
   for (const Gene& gene : layout.genes) {
     if (gene.name.empty() || gene.unit.empty()) return "a gene has no name or no unit; name both, \"1\" is a unit";
@@ -26,7 +26,7 @@ std::string layout_fault(const GenomeLayout& layout) {
       return "the gene " + gene.name + " has no finite range, lower to upper";
     if (gene.kind == GeneKind::integer &&
         (gene.lower != std::floor(gene.lower) || gene.upper != std::floor(gene.upper)))
-      return "the gene " + gene.name + " is a whole number between bounds that are none";
+      return "the gene " + gene.name + " is a whole number, but its bounds are not";
   }
   if (layout.row > 0 && layout.size() % layout.row != 0) return "the genes do not fill rows of layout.row";
   return {};
@@ -64,13 +64,13 @@ class EncodingExercise : public Exercise {
       const Genome genome = random_genome(layout, key);
       all_alike = all_alike && genome == random_genome(layout, key + kGenomes);
       if (const std::string fault = genome_fault(layout, genome); !fault.empty())
-        broken.push_back("a random genome does not fit the layout: " + fault);
+        broken.push_back("a random genome does not match the layout: " + fault);
       else if (const std::string bad = decoded_fault(setting, genome); !bad.empty())
         broken.push_back(bad);
     }
-    if (all_alike) broken.emplace_back("random() gives one genome whatever the stream; draw from the stream");
+    if (all_alike) broken.emplace_back("random() returns the same genome for every stream; draw from the stream");
     if (takes_other_length(setting, layout.size()))
-      broken.emplace_back("decode() takes a genome of another length than the layout's; throw an Error");
+      broken.emplace_back("decode() accepts a genome of another length than the layout's; throw an Error");
     return broken;
   }
 
@@ -145,7 +145,7 @@ class ModelEncodingExercise : public EncodingExercise<ModelEncoding, ModelSpace>
   std::string decoded_fault(const Setting& setting, const Genome& genome) const override {
     const ModelProposal model = encoding_.decode(space_, setting, genome);
     if (model.values.size() != space_.free.size())
-      return fmt::format("decode() gives {} values for {} free parameters", model.values.size(), space_.free.size());
+      return fmt::format("decode() returns {} values for {} free parameters", model.values.size(), space_.free.size());
     for (std::size_t i = 0; i < model.values.size(); ++i)
       if (!(model.values[i] >= space_.free[i].lower && model.values[i] <= space_.free[i].upper))
         return space_.free[i].address + " leaves its search range; clamp it";
@@ -204,7 +204,7 @@ class TestEncodingExercise : public EncodingExercise<TestEncoding, TestSpace> {
   std::string decoded_fault(const Setting& setting, const Genome& genome) const override {
     const Test test = encoding_.decode(space_, setting, genome);
     if (!(test.duration > 0.0 && test.duration <= space_.duration))
-      return fmt::format("a test lasts {} s; it may last up to {} s, the space's duration", test.duration,
+      return fmt::format("a test lasts {} s; at most {} s are allowed, the space's duration", test.duration,
                          space_.duration);
     const std::vector<double> commands = commands_of(test);
     for (std::size_t i = 0; i < commands.size(); ++i)

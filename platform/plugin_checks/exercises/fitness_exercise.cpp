@@ -63,7 +63,8 @@ class FitnessExercise : public Exercise {
     all.back().centre_of_mass.samples.bottomRows(1).setConstant(kNan);
     const double broken_off = fitness_.score(test_, all, setting);
     if (std::isfinite(broken_off) && broken_off > score)
-      broken.emplace_back("a prediction that breaks off makes a test better; let such a test score no number");
+      broken.emplace_back(
+          "a prediction that breaks off raises the fitness of a test; return no number for such a test");
     return broken;
   }
 

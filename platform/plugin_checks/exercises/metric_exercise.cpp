@@ -57,10 +57,11 @@ class MetricExercise : public Exercise {
       if (!kept) broken.emplace_back(sentence);
     };
     const std::unique_ptr<ScoreAccumulator> sums = accumulator(setting);
-    expect(bounds_hold(*sums), "bound() falls, or is above the final score; it is the smallest score still possible");
+    expect(bounds_hold(*sums),
+           "bound() decreases, or is above the final score; return the smallest score that is still possible");
     const double score = sums->score();
     sums->reset();
-    expect(score_of(*sums, samples_) == score, "after reset() the same samples score otherwise; let it forget all");
+    expect(score_of(*sums, samples_) == score, "after reset() the same samples give another score; reset everything");
     std::vector<ComparedSample> other = samples_, worse = samples_, broken_off = samples_;
     for (ComparedSample& sample : other)
       for (std::size_t c = 0; c < kComparedChannels; ++c)
@@ -69,12 +70,12 @@ class MetricExercise : public Exercise {
       for (double& value : sample.predicted) value += 5.0;
     broken_off[kComparedSamples / 2].predicted.assign(kComparedChannels, kNotMeasured);
     expect(score_of(*accumulator(setting), other) == score,
-           "predictions change the score where nothing was measured; skip values whose `measured` is NaN");
+           "predictions at samples without a measurement change the score; skip values whose `measured` is NaN");
     expect(score_of(*accumulator(setting), worse) > score,
-           "a prediction that is off by 5 more scores no worse; larger scores are worse");
-    expect(score_of(*accumulator(setting), broken_off) == std::numeric_limits<double>::infinity(),
-           "a prediction that is no number does not score infinity; make such a score infinite, or a model that breaks "
-           "down may win");
+           "a prediction with an error of 5 more scores no worse; return a larger score for a larger error");
+    expect(
+        score_of(*accumulator(setting), broken_off) == std::numeric_limits<double>::infinity(),
+        "a prediction that is not a number does not score infinity; return infinity, or a model that diverges may win");
     return broken;
   }
 

@@ -27,13 +27,13 @@ class MutationExercise : public Exercise {
 
   std::vector<std::string> broken_promises() const override {
     std::vector<std::string> broken;
-    if (mutation_.parents() == 0) return {"parents() is 0; a child is made from one genome at least"};
+    if (mutation_.parents() == 0) return {"parents() is 0; a child needs at least one parent"};
     for (const Setting& setting : settings())
       if (const std::string fault = child_fault(setting); !fault.empty()) {
-        broken.push_back("a child does not fit the layout: " + fault + "; bring genes back with `reflected_value`");
+        broken.push_back("a child does not match the layout: " + fault + "; bring genes back with `reflected_value`");
         break;
       }
-    if (gives_one_child()) broken.emplace_back("all random streams give one child; draw from the stream");
+    if (gives_one_child()) broken.emplace_back("all random streams give the same child; draw from the stream");
     return broken;
   }
 

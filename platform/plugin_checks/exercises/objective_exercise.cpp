@@ -52,13 +52,14 @@ class ObjectiveExercise : public Exercise {
     std::vector<std::string> broken;
     const Setting setting = settings().front();
     const std::vector<ObjectiveScore> of_truth = scores({kTruth}, kTruth, setting);
-    if (of_truth.empty()) broken.emplace_back("score() has no figure; throw an Error where it has nothing to say");
-    if (largest(of_truth) != 0.0) broken.emplace_back("the truth itself has an error above 0; it has none");
+    if (of_truth.empty()) broken.emplace_back("score() has no figure; throw an Error if it cannot compute one");
+    if (largest(of_truth) != 0.0) broken.emplace_back("the true values have an error above 0; return 0 for them");
     const std::vector<ObjectiveScore> of_other = scores(other_model(), kTruth, setting);
-    if (!(largest(of_other) > 0.0)) broken.emplace_back("another model has no error; it has one above 0");
+    if (!(largest(of_other) > 0.0))
+      broken.emplace_back("a model with wrong values has the error 0; return one above 0");
     std::set<std::string> names;
     for (const ObjectiveScore& score : of_other) {
-      if (score.value < 0.0) broken.push_back("the figure \"" + score.name + "\" is below 0; an error is not");
+      if (score.value < 0.0) broken.push_back("the figure \"" + score.name + "\" is negative; an error must not be");
       if (score.name.empty() || score.unit.empty()) broken.emplace_back("a figure has no name or no unit; name both");
       if (!names.insert(score.name).second) broken.push_back("two figures are called \"" + score.name + "\"");
     }
@@ -68,7 +69,8 @@ class ObjectiveExercise : public Exercise {
     std::vector<double> truth = kTruth;
     truth[3] = kUnknownTruth;
     if (largest(scores(without, truth, setting)) != 0.0)
-      broken.emplace_back("a value counts that the target does not have, or of an effect that the model does without");
+      broken.emplace_back(
+          "a value counts that the target does not have, or that belongs to an effect the model does not have");
     return broken;
   }
 

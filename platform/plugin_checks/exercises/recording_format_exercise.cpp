@@ -25,15 +25,15 @@ std::vector<TableQuery> queries_of(const RecordingContents& contents) {
 /// What is wrong with rows that answer queries; empty: nothing.
 std::string rows_fault(const ReadRows& read, const std::vector<TableQuery>& queries) {
   if (!read.problems.empty()) return {};
-  if (read.tables.size() != queries.size()) return "read() gives another number of tables than were asked for";
+  if (read.tables.size() != queries.size()) return "read() returns another number of tables than requested";
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const RecordedRows& rows = read.tables[i];
     if (rows.columns.size() != queries[i].columns.size() || rows.origins.size() != rows.columns.size())
-      return "read() gives another number of columns, or of origins, than were asked for";
+      return "read() returns another number of columns, or of origins, than requested";
     for (const std::vector<double>& column : rows.columns)
-      if (column.size() != rows.columns.front().size()) return "read() gives columns of different lengths";
+      if (column.size() != rows.columns.front().size()) return "read() returns columns of different lengths";
     if (!rows.columns.empty() && rows.columns.front().size() > queries[i].most_rows)
-      return "read() gives more rows than `most_rows`";
+      return "read() returns more rows than `most_rows`";
   }
   return {};
 }
@@ -54,7 +54,7 @@ class RecordingFormatExercise : public Exercise {
   std::vector<std::string> broken_promises() const override {
     std::vector<std::string> broken;
     if (format_.contents(scratch_ / "there_is_no_such_file").problems.empty())
-      broken.emplace_back("a file that is not there gives no problem; say that it cannot be opened");
+      broken.emplace_back("a missing file gives no problem; report that it cannot be opened");
     if (sample_.empty()) return broken;
     const RecordingContents contents = format_.contents(sample_.string());
     if (!contents.problems.empty()) return {"the sample has a problem: " + contents.problems.front().text};
@@ -76,7 +76,7 @@ class RecordingFormatExercise : public Exercise {
   }
 
   std::string reservation() const override {
-    return sample_.empty() ? "no whole file was read; name one of its format with --sample FILE" : "";
+    return sample_.empty() ? "no complete file was read; name one of its format with --sample FILE" : "";
   }
 
  private:

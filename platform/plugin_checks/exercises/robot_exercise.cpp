@@ -19,7 +19,7 @@ class RobotExercise : public Exercise {
   std::vector<std::string> broken_promises() const override {
     std::vector<std::string> broken;
     for (const std::string& problem : robot_problems(robot_.build({settings().front(), &declared_})))
-      broken.push_back("no engine takes the robot of the defaults: " + problem);
+      broken.push_back("no engine can simulate the robot of the defaults: " + problem);
     return broken;
   }
   std::vector<RepeatedCall> repeated_calls() const override {

@@ -38,14 +38,14 @@ class RobotFormatExercise : public Exercise {
     for (const char* nonsense : {"", "nonsense\n"}) {
       const ReadRobot read = format_.read(file_of(nonsense));
       if (read.problems.empty() && !robot_problems(read.robot).empty())
-        broken.emplace_back("a text that is none of its format gives no problem; name the line and what to do");
+        broken.emplace_back("a text in another format gives no problem; report the line and what to do");
     }
     if (text_.empty()) return broken;
     const ReadRobot read = format_.read(file_of(text_));
     if (!read.problems.empty())
-      broken.push_back("a sound file has a problem: " + read.problems.front().text);
+      broken.push_back("a valid file has a problem: " + read.problems.front().text);
     else if (const std::vector<std::string> problems = robot_problems(read.robot); !problems.empty())
-      broken.push_back("no engine takes the robot of a file: " + problems.front());
+      broken.push_back("no engine can simulate the robot of a file: " + problems.front());
     if (const std::string fault = round_trip_fault(); !fault.empty()) broken.push_back(fault);
     return broken;
   }
@@ -56,7 +56,7 @@ class RobotFormatExercise : public Exercise {
   }
 
   std::string reservation() const override {
-    return text_.empty() ? "no whole file was read: it cannot write one; name one with --sample FILE" : "";
+    return text_.empty() ? "no complete file was read, because it cannot write one; name one with --sample FILE" : "";
   }
 
  private:
@@ -76,13 +76,13 @@ class RobotFormatExercise : public Exercise {
     if (!made.problems.empty()) return {};
     const RobotSpec robot = two_links();
     const ReadRobot read = format_.read(file_of(made.text));
-    if (!read.problems.empty()) return "it cannot read what it writes: " + read.problems.front().text;
-    if (read.robot.bodies.size() < robot.bodies.size()) return "bodies are missing where it reads what it wrote";
+    if (!read.problems.empty()) return "it cannot read a file that it wrote: " + read.problems.front().text;
+    if (read.robot.bodies.size() < robot.bodies.size()) return "bodies are missing after it wrote and read a robot";
     for (const BodySpec& body : robot.bodies) {
       bool found = false;
       for (const BodySpec& other : read.robot.bodies)
         found = found || (other.name == body.name && std::abs(other.mass - body.mass) <= kSameMass * body.mass);
-      if (!found) return "the body " + body.name + " comes back with another name or mass where it reads what it wrote";
+      if (!found) return "the body " + body.name + " has another name or mass after it wrote and read a robot";
     }
     return {};
   }

@@ -92,19 +92,18 @@ std::string SearchExercise::fault_of_course(Search& search) const {
   int last = 0;
   for (int part = 0; part < kMostParts && next < kMostAsked && !search.finished(); ++part) {
     const std::vector<Individual> asked = search.ask();
-    if (asked.empty()) return "ask() gives nobody before the search is finished; ask for one individual at least";
+    if (asked.empty()) return "ask() returns no individual before the search has finished; return at least one";
     for (const Individual& one : asked) {
-      if (one.number != next++)
-        return "individuals are not numbered one after the other; derive from GenerationalSearch";
+      if (one.number != next++) return "individuals are not numbered consecutively; derive from GenerationalSearch";
       if (const std::string fault = genome_fault(layout_, one.genome); !fault.empty())
-        return "a genome does not fit the layout: " + fault;
+        return "a genome does not match the layout: " + fault;
     }
     const std::vector<double> scores = scores_of(asked);
     search.tell(scores);
     least = std::min(least, *std::min_element(scores.begin(), scores.end()));
     const std::vector<ScoredIndividual> best = search.best();
     if (best.empty() || best.front().score != least)
-      return "best() forgets the best individual that it was told; keep it";
+      return "best() loses the best individual that tell() passed; keep it";
     if (search.generation() < last || search.generation() > search.generations())
       return "generation() does not count from 0 to generations()";
     last = search.generation();
@@ -134,14 +133,14 @@ std::vector<std::string> SearchExercise::broken_promises() const {
   if (const std::string fault = fault_of_course(*begin(setting)); !fault.empty()) broken.push_back(fault);
   if (!goes_on(setting))
     broken.emplace_back(
-        "a search that was saved and loaded goes on otherwise; save all that it remembers, and draw from stream(index) "
-        "alone");
+        "a search that was saved and loaded continues differently; save its whole memory, and draw only from "
+        "stream(index)");
   const std::unique_ptr<Search> one = begin(setting, 1), other = begin(setting, 2);
   const std::vector<Individual> of_one = one->ask(), of_other = other->ask();
   const bool same = of_one.size() == of_other.size() &&
                     std::equal(of_one.begin(), of_one.end(), of_other.begin(),
                                [](const Individual& a, const Individual& b) { return a.genome == b.genome; });
-  if (same) broken.emplace_back("two keys give one search; take random numbers from the task's key");
+  if (same) broken.emplace_back("two keys give the same search; take random numbers from the task's key");
   return broken;
 }
 

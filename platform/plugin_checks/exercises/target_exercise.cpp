@@ -59,13 +59,13 @@ std::string trial_fault(const Trial& trial) {
   if (measured.times.size() == 0) return "a trial has no reading";
   if (measured.samples.rows() != measured.times.size() ||
       measured.samples.cols() != static_cast<Eigen::Index>(measured.channels.size()))
-    return "readings are not one row a time and one column a channel";
+    return "readings do not have one row per time and one column per channel";
   for (Eigen::Index i = 1; i < measured.times.size(); ++i)
-    if (!(measured.times(i) > measured.times(i - 1))) return "times of readings do not rise";
+    if (!(measured.times(i) > measured.times(i - 1))) return "times of readings do not increase";
   for (const Channel& channel : measured.channels)
     if (channel.name.empty() || channel.unit.empty()) return "a channel has no name or no unit";
   if (trial.commands.series.channels.empty() || trial.commands.series.samples.rows() == 0)
-    return "a trial does not say which commands were applied; fill `commands`";
+    return "a trial does not contain the applied commands; fill `commands`";
   return {};
 }
 
@@ -96,9 +96,9 @@ class TargetExercise : public Exercise {
   }
 
   std::string reservation() const override {
-    return carries_out_ || !make_()->takes_tests()
-               ? ""
-               : "no test was carried out, for a rig would move; --carry-out does it, 1 s of ±0.2 and ±0.4 N*m";
+    return carries_out_ || !make_()->takes_tests() ? ""
+                                                   : "no test was carried out, because it would move a rig; "
+                                                     "--carry-out carries one out: 1 s of ±0.2 and ±0.4 N*m";
   }
 
  private:

@@ -18,12 +18,12 @@ std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSet
   for (const ActuatorSpec& actuator : structure.robot.actuators)
     if (!is_known(actuator.kind))
       throw Error("actuator \"" + actuator.name +
-                  "\": the engine \"ode\" has no motors on a voltage and no imposed motion; the engine \"articulated\" "
-                  "has, for robots that touch nothing");
+                  "\": the engine \"ode\" supports neither motors with a voltage nor imposed motion; use the engine "
+                  "\"articulated\", for robots without contacts");
   if (!structure.robot.couplings.empty())
-    throw Error(
-        "coupling \"" + structure.robot.couplings.front().name +
-        "\": the engine \"ode\" couples no joints; the engine \"articulated\" does, for robots that touch nothing");
+    throw Error("coupling \"" + structure.robot.couplings.front().name +
+                "\": the engine \"ode\" does not support coupled joints; use the engine \"articulated\", for robots "
+                "without contacts");
   return std::make_unique<simulation::EngineModel>(
       std::move(structure), settings,
       [](const simulation::EngineModel& model) { return std::make_unique<OdeMotion>(model); });

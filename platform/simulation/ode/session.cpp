@@ -58,7 +58,7 @@ struct Library {
 struct ThreadData {
   ThreadData() {
     if (!dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)))
-      throw Error("ODE has no memory for another thread");
+      throw Error("ODE cannot allocate memory for another thread");
   }
   ~ThreadData() { dCleanupODEAllDataForThread(); }
 };

@@ -32,7 +32,7 @@ void Drive::open_source(const Test& test, const RobotSpec& robot) {
     sent_.open(*series, robot);
   } else {
     controller_ = std::get<std::shared_ptr<const Controller>>(test.drive).get();
-    if (!controller_) throw Error("the test has a controller that is null");
+    if (!controller_) throw Error("the controller of the test is null");
     const int size = controller_->state_size();
     if (size < 0) throw Error("the controller asks for a negative state size");
     controller_state_.assign(static_cast<std::size_t>(size), 0.0);

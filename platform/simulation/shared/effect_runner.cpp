@@ -45,7 +45,7 @@ void EffectRunner::amend(RobotSpec& robot) {
     check();
     if (sizes[0] != robot.bodies.size() || sizes[1] != robot.joints.size() || sizes[2] != robot.actuators.size() ||
         sizes[3] != robot.sensors.size())
-      throw Error("it added or removed elements of the robot, which an effect may not");
+      throw Error("it added or removed elements of the robot, which an effect must not do");
   }
   leave();
 }
@@ -67,7 +67,7 @@ void EffectRunner::add_loads_of(std::size_t effect, const StepView& view, double
   schedule_.effects()[effect].effect->add_loads(view, context(effect, length), state(effect), loads);
   check();
   if (loads.joints.data() != joints || loads.bodies.data() != bodies)
-    throw Error(std::string("it replaced the list of loads, to whose elements it may add") + kRepair);
+    throw Error(std::string("it replaced the list of loads; it may only add to its elements") + kRepair);
 }
 
 void EffectRunner::add_loads(const StepView& view, double length, StepLoads& loads) {

@@ -25,7 +25,7 @@ std::size_t elements_of_kind(const RobotSpec& robot, ElementKind kind) {
 void check_effect(const PlacedEffect& placed, const RobotSpec& robot, ProblemList& problems) {
   const std::string where = "effect \"" + placed.id + "\" (" + placed.name + "): ";
   if (!placed.effect) {
-    problems.add({}, where + "there is no component behind it");
+    problems.add({}, where + "it has no component");
     return;
   }
   const std::size_t declared =
@@ -105,7 +105,7 @@ void EffectSchedule::size_states(const std::vector<std::vector<double>>& largest
                                   [&] { return effects_[i].effect->state_size(context(i, largest_values[i])); });
     if (size < 0 || size > kLargestState)
       throw Error(to_string(origin_of(effects_[i])) + ": it asks for a state of " + std::to_string(size) +
-                  " numbers, possible are 0 to " + std::to_string(kLargestState) +
+                  " numbers; allowed are 0 to " + std::to_string(kLargestState) +
                   "; repair the plugin, or take the effect out of the model");
     state_offsets_[i + 1] = state_offsets_[i] + static_cast<std::size_t>(size);
   }

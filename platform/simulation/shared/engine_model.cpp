@@ -113,8 +113,7 @@ std::unique_ptr<Workspace> EngineModel::make_workspace() const { return std::mak
 void EngineModel::simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
                            Workspace& workspace, SimulationResult& result) const {
   auto* own = dynamic_cast<EngineWorkspace*>(&workspace);
-  if (!own || &own->model() != this)
-    throw Error("the workspace belongs to another model; use one that this model made");
+  if (!own || &own->model() != this) throw Error("the workspace belongs to another model; use one made by this model");
   const Evaluation evaluation;
   Run(*this, *own, options, result).carry_out(parameters, test);
 }

@@ -34,7 +34,7 @@ std::vector<int> find_holders(const RobotSpec& robot, const JointTree& tree, Pro
     if (found >= 0)
       problems.add({}, "body \"" + robot.joints[joint].child + "\" is the child of two joints, \"" +
                            robot.joints[static_cast<std::size_t>(found)].name + "\" and \"" + robot.joints[joint].name +
-                           "\"; a body hangs on one joint only");
+                           "\"; a body can be the child of only one joint");
     found = static_cast<int>(joint);
   }
   return holder;

@@ -50,7 +50,8 @@ void add_effect_places(const ModelStructure& structure, std::vector<Place>& plac
 std::string unknown_address(const std::string& address, const std::vector<Place>& places) {
   std::vector<std::string> known;
   for (const Place& place : places) known.push_back(place.address);
-  return "the parameter \"" + address + "\" is no value of the robot or of its effects" + did_you_mean(address, known);
+  return "\" is not a value of the robot or of its effects" + address +
+         "\" is no value of the robot or of its effects" + did_you_mean(address, known);
 }
 
 std::string bounds_complaint(const VariableParameter& parameter, const Place& place) {
@@ -59,7 +60,7 @@ std::string bounds_complaint(const VariableParameter& parameter, const Place& pl
   if (parameter.lower < place.lower || parameter.upper > place.upper)
     return "the parameter \"" + parameter.address + "\" has bounds " + number_text(parameter.lower) + " to " +
            number_text(parameter.upper) + ", beyond the " + number_text(place.lower) + " to " +
-           number_text(place.upper) + " that it may have";
+           number_text(place.upper) + " that is possible";
   return {};
 }
 
@@ -111,7 +112,7 @@ class SlotFinder {
       problems_.add({}, "the setup \"" + setup.name + "\" gives \"" + value.address + "\" twice");
     if (!(value.value >= place->lower && value.value <= place->upper))
       problems_.add({}, "the setup \"" + setup.name + "\" gives \"" + value.address + "\" the value " +
-                            number_text(value.value) + ", which it may not have");
+                            number_text(value.value) + ", which is not possible");
     slots.push_back(place->slot);
     slots.back().constant = value.value;
   }

@@ -24,14 +24,14 @@ void check_series(const CommandSeries& commands, const RobotSpec& robot) {
       !(std::abs(series.times[0]) < kInfinity && series.times[0] <= series.times[series.times.size() - 1]))
     throw Error("the command series' times must ascend from a finite start");
   if (!commands.before.empty() && commands.before.size() != series.channels.size())
-    throw Error("the command series says what was commanded before for " + std::to_string(commands.before.size()) +
-                " of its " + std::to_string(channels) + " channels");
+    throw Error("the command series gives initial commands for " + std::to_string(commands.before.size()) + " of its " +
+                std::to_string(channels) + " channels");
   std::vector<std::string> actuators;
   for (const ActuatorSpec& actuator : robot.actuators) actuators.push_back(actuator.name);
   for (const Channel& channel : series.channels)
     if (index_of(robot.actuators, channel.name) < 0)
-      throw Error("the command channel \"" + channel.name + "\" is not called like an actuator of the robot" +
-                  did_you_mean(channel.name, actuators));
+      throw Error("\" does not have the name of an actuator of the robot" + channel.name +
+                  "\" is not called like an actuator of the robot" + did_you_mean(channel.name, actuators));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void check_names(const std::vector<Spec>& specs, const std::string& kind, Proble
       problems.add({}, with_article(kind) + " of the robot is named \"" + spec.name +
                            "\"; give it a name without dots, stars and blanks");
     if (!seen.insert(spec.name).second)
-      problems.add({}, "two " + kind + "s of the robot are called \"" + spec.name + "\"; names must differ");
+      problems.add({}, "two " + kind + "s of the robot have the name \"" + spec.name + "\"; names must differ");
   }
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> names_of(const std::vector<Spec>& specs) {
 void check_bodies(const RobotSpec& robot, ProblemList& problems) {
   for (const BodySpec& body : robot.bodies) {
     if (const std::string complaint = body_complaint(body); !complaint.empty()) problems.add({}, complaint);
-    if (body.name == kWorld) problems.add({}, "a body may not be called \"world\"");
+    if (body.name == kWorld) problems.add({}, "a body must not have the name \"world\"");
     if (std::abs(body.orientation.norm() - 1.0) > kAxisTolerance)
       problems.add({}, "body \"" + body.name + "\": its orientation is not a unit quaternion");
     for (const ShapeSpec& shape : body.shapes) {
@@ -90,7 +90,7 @@ void check_joints(const RobotSpec& robot, ProblemList& problems) {
     const bool has_axis =
         joint.kind != JointKind::ball && joint.kind != JointKind::fixed && joint.kind != JointKind::free;
     if (joint.kind == JointKind::free && joint.parent != kWorld)
-      problems.add({}, where + "a free joint holds its body to nothing, so that its parent must be the world");
+      problems.add({}, where + "a free joint holds its body to nothing, so its parent must be the world");
     if (!joint.anchor.allFinite()) problems.add({}, where + "its anchor is not finite");
     if (has_axis && !(std::abs(joint.axis.norm() - 1.0) < kAxisTolerance))
       problems.add({}, where + "its axis is not a unit vector");
@@ -150,7 +150,7 @@ void check_couplings(const RobotSpec& robot, ProblemList& problems) {
     }
     for (const CouplingSpec& other : robot.couplings)
       if (other.joint == coupling.follows || (&other != &coupling && other.joint == coupling.joint))
-        problems.add({}, where + "a joint follows one other, which follows none");
+        problems.add({}, where + "a joint can follow only one other joint, which must not follow another");
   }
 }
 
@@ -223,7 +223,7 @@ std::string unphysical(const RobotSpec& robot) {
                "\": damping, dry friction, stiffness and armature must be finite and not negative";
     if (!std::isfinite(joint.rest) || !std::isfinite(joint.force) || !(joint.lower <= joint.upper))
       return "joint \"" + joint.name +
-             "\": its rest position or force is not finite, or its stops are the wrong way round";
+             "\": its rest position or force is not finite, or its lower stop is above the upper one";
   }
   if (!robot.gravity.allFinite()) return "gravity is not finite";
   const ContactSpec& contact = robot.contact;

@@ -99,7 +99,7 @@ void Run::check_output_times(double start) const {
   const auto times = options_.output_times;
   if (!std::is_sorted(times.begin(), times.end())) throw Error("the output times must ascend");
   if (!times.empty() && !(times.front() >= start - tolerance_ && times.back() <= options_.end_time + tolerance_))
-    throw Error("the output times reach from " + seconds(times.front()) + " to " + seconds(times.back()) +
+    throw Error("the output times extend from " + seconds(times.front()) + " to " + seconds(times.back()) +
                 ", beyond the simulation from " + seconds(start) + " to " + seconds(options_.end_time));
 }
 

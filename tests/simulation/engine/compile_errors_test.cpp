@@ -158,7 +158,7 @@ TEST(CompileErrors, EffectsThatDoNotFit) {
   EXPECT_THAT(text, HasSubstr("\"far\" (far): it is placed on an element that the robot does not have"));
   EXPECT_THAT(text, HasSubstr("\"wrong\" (wrong): it changes commands and must be placed on actuators"));
   EXPECT_THAT(text, HasSubstr("two effects have the id \"few\""));
-  EXPECT_THAT(text, HasSubstr("there is no component behind it"));
+  EXPECT_THAT(text, HasSubstr("it has no component"));
 }
 
 TEST(CompileErrors, ArgumentsOfASimulation) {
