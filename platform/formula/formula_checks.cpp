@@ -83,7 +83,7 @@ void check_finite(const Expression& formula, const std::set<std::string>& positi
       if (!is_whole(e.parts[1].number) && !signs.never_negative(base))
         problems.add(formula_place(e.column), formula_text(base) + " may be negative and then has no power of " +
                                                   number_text(e.parts[1].number) +
-                                                  " ; write it with abs(...), as in sgn(v)*abs(v)^1.5");
+                                                  "; write it with abs(...), as in sgn(v)*abs(v)^1.5");
     }
     if (e.kind == Kind::call && e.name == "sqrt" && !signs.never_negative(e.parts[0]))
       problems.add(formula_place(e.column),

@@ -118,8 +118,8 @@ TEST_F(Check, RefusesARunThatWouldMeanNothing) {
   EXPECT_THAT(refused("target.parameters.beacons=3"),
               HasSubstr("\"range_right_arm_4\", which the target does not read"));
   EXPECT_THAT(refused("test.duration=\"5 ms\""), HasSubstr("is shorter than one control period of 10.0 ms"));
-  EXPECT_THAT(refused("target.parameters.arms_in_middle=0.3"), HasSubstr("arms_in_middle is to be 0"));
-  EXPECT_THAT(refused("model.encoding_parameters.lift=0.4"), HasSubstr("lift is to be 0 or 1"));
+  EXPECT_THAT(refused("target.parameters.arms_in_middle=0.3"), HasSubstr("arms_in_middle must be 0"));
+  EXPECT_THAT(refused("model.encoding_parameters.lift=0.4"), HasSubstr("lift must be 0 or 1"));
 }
 
 /// A ball that was thrown: its start is read off its first readings, and nothing is amiss.

@@ -53,9 +53,8 @@ class RobotFormatFiles : public testing::Test {
 TEST_F(RobotFormatFiles, AreCheckedWithWhatWasGuessedRepairedAndLeftOut) {
   const Outcome check = program_.run({"check", "arm.toml"});
   ASSERT_EQ(check.exit_code, 0) << check.errors;
-  EXPECT_THAT(check.output,
-              AllOf(HasSubstr("joints    hinge"), HasSubstr("arm.urdf:3: repaired: no body has the inertia"),
-                    HasSubstr("left out: 1 velocity limit"), HasSubstr("guessed: link base is held")));
+  EXPECT_THAT(check.output, AllOf(HasSubstr("joints    hinge"), HasSubstr("arm.urdf:3: repaired: the inertia of link"),
+                                  HasSubstr("left out: 1 velocity limit"), HasSubstr("guessed: link base is held")));
   const std::size_t first = check.output.find("repaired");
   EXPECT_EQ(check.output.find("repaired", first + 1), std::string::npos) << "model and target have one file";
 }
@@ -77,7 +76,7 @@ TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
   EXPECT_THAT(check.errors, AllOf(HasSubstr("arm.urdf:4: mass's value \"1,0\" is no number"),
                                   HasSubstr("arm.urdf:6: joint's type \"elastic\" is none")));
   program_.write("arm.urdf", "");
-  EXPECT_THAT(program_.run({"check", "arm.toml"}).errors, HasSubstr("arm.urdf: is no whole XML document"));
+  EXPECT_THAT(program_.run({"check", "arm.toml"}).errors, HasSubstr("arm.urdf: is not a complete XML document"));
   program_.write("arm.xml", kUrdfArm);
   EXPECT_EQ(program_.run({"check", "arm.toml", "--set", "model.file=\"arm.xml\"", "--set", "target.file=\"arm.xml\""})
                 .exit_code,

@@ -190,7 +190,7 @@ std::vector<BadFile> readable_files() {
       {"utf16", utf16("t,q,u\n" + kSamples, true), "", "run.csv: is UTF-16 text; read as such"},
       {"utf16_without_mark", utf16("t,q,u\n" + kSamples, false), "", "run.csv: is UTF-16 text"},
       {"no_end_of_last_line", "t,q,u\n0,1,2\n0.1,1.5,2.5\n0.2,2,3", "", ""},
-      {"breaks_off", "t,q,u\n" + kSamples + "0.3,1.", "", "run.csv:5: the file breaks off in its last line"},
+      {"breaks_off", "t,q,u\n" + kSamples + "0.3,1.", "", "run.csv:5: the file ends in the middle of its last line"},
       {"same_row_twice", "t,q,u\n0,1,2\n0.1,1.5,2.5\n0.1,1.5,2.5\n0.2,2,3\n", "",
        "run.csv:4: the same sample as in line 3 again; left out"},
       {"starts_late", "t,q,u\n100,1,2\n100.1,1.5,2.5\n100.2,2,3\n", "",

@@ -71,12 +71,13 @@ TEST_F(JsonLines, LeaveOutALastLineThatBreaksOff) {
   const std::string run = file("{\"q\": 1}\n{\"q\": 2}\n{\"q\": 3");
   const ReadRows read = format_.read(run, {{"", {"q"}}});
   EXPECT_THAT(read.tables.at(0).columns.at(0), ElementsAre(1.0, 2.0));
-  EXPECT_THAT(FormatUnderTest::texts(read.doubts), ElementsAre(HasSubstr("3: the file breaks off")));
+  EXPECT_THAT(FormatUnderTest::texts(read.doubts),
+              ElementsAre(HasSubstr("3: the file ends in the middle of its last line")));
 }
 
 TEST_F(JsonLines, AreRefusedWithTheLine) {
   EXPECT_THAT(format_.problems(file("{\"q\": 1}\n{\"q\": }\nq\n")),
-              ElementsAre(HasSubstr("2: the line is no JSON: there is no value at character 7"), HasSubstr("3: ")));
+              ElementsAre(HasSubstr("2: the line is not JSON: there is no value at character 7"), HasSubstr("3: ")));
   EXPECT_THAT(format_.problems(file("{\"q\": 01}\n\n")), ElementsAre(HasSubstr("begins with 0")));
   EXPECT_THAT(format_.problems(file("{\"q\": 1} {\"q\": 2}\n")), ElementsAre(HasSubstr("text follows its end")));
   EXPECT_THAT(format_.problems(file("5\n")), ElementsAre(HasSubstr("1: the line is a single value")));

@@ -52,7 +52,7 @@ TEST_F(Mat, ReadsStructuresByPath) {
   EXPECT_THAT(format_.column(run, "log.inner.on"), ElementsAre(1.0, 0.0, 1.0, 0.0, 1.0));
   EXPECT_THAT(FormatUnderTest::texts(format_.contents(run).remarks),
               UnorderedElementsAre(HasSubstr("`log.label` is left out: it is text"),
-                                   HasSubstr("`gains` is left out: it has 2 × 3 numbers where the others have 5")));
+                                   HasSubstr("`gains` is left out: it has 2 × 3 numbers, but the others have 5")));
 }
 
 TEST_F(Mat, ReadsCompressedVariables) {
@@ -82,11 +82,11 @@ TEST_F(Mat, ReadsNoMoreRowsThanAreWanted) {
 TEST_F(Mat, RefusesWithTheReason) {
   const auto problem = [&](const std::string& bytes) { return format_.problems(file(bytes)); };
   EXPECT_THAT(problem("MATLAB 7.3 MAT-file, Platform: GLNXA64"), ElementsAre(HasSubstr("'-v7'")));
-  EXPECT_THAT(problem("t,q\n0,1\n"), ElementsAre(HasSubstr("is no MAT file of version 5")));
+  EXPECT_THAT(problem("t,q\n0,1\n"), ElementsAre(HasSubstr("is not a MAT file of version 5")));
   EXPECT_THAT(problem(header(false) + row("q", "\1\2\3"s, false, 4)),
               ElementsAre(HasSubstr("has 3 numbers in `q`, which should have 4")));
   EXPECT_THAT(problem(header(false) + row("q", "\1\2\3"s, false, 3).substr(0, 40)),
-              ElementsAre(HasSubstr("the file breaks off or is damaged")));
+              ElementsAre(HasSubstr("the file is incomplete or damaged")));
   EXPECT_THAT(problem(header(false) + number(15, false) + number(8, false) + "no zlib."),
               ElementsAre(HasSubstr("compressed data are damaged")));
   EXPECT_THAT(problem(header(false) + number(14, false) + number(0xffffffff, false)),

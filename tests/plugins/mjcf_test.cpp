@@ -166,7 +166,7 @@ TEST(Mjcf, FloatsOrIsHeldAsAsked) {
   EXPECT_EQ(freed.robot.joints[1].parent, "trunk");
   const ReadRobot hinged = read_mjcf(one_joint("<joint/>"), RobotBase::free);
   ASSERT_EQ(hinged.problems.size(), 1U);
-  EXPECT_THAT(hinged.problems[0].text, HasSubstr("only one that stands still can be set free"));
+  EXPECT_THAT(hinged.problems[0].text, HasSubstr("only a fixed body can be set free"));
 }
 
 TEST(Mjcf, ReadsWhatItIncludes) {
@@ -200,14 +200,14 @@ TEST(Mjcf, TellsAllProblemsAtTheirLines) {
 }
 
 TEST(Mjcf, RefusesWhatIsNoMjcf) {
-  EXPECT_THAT(only_mjcf_problem("<mujoco/>\nbody<!-- -->"), HasSubstr("words stand behind the outermost element"));
+  EXPECT_THAT(only_mjcf_problem("<mujoco/>\nbody<!-- -->"), HasSubstr("text follows the outermost element"));
   EXPECT_THAT(only_mjcf_problem("<robot/>"), HasSubstr("its root is not <mujoco>"));
-  EXPECT_THAT(only_mjcf_problem("<mujoco>"), HasSubstr("is no whole XML document"));
-  EXPECT_THAT(only_mjcf_problem(""), HasSubstr("is no whole XML document"));
+  EXPECT_THAT(only_mjcf_problem("<mujoco>"), HasSubstr("is not a complete XML document"));
+  EXPECT_THAT(only_mjcf_problem(""), HasSubstr("is not a complete XML document"));
   EXPECT_THAT(only_mjcf_problem("<mujoco/>"), HasSubstr("nothing in it moves"));
   std::string deep = "<mujoco><worldbody>";
   for (int i = 0; i < 100000; ++i) deep += "<body>";
-  EXPECT_THAT(only_mjcf_problem(deep), HasSubstr("is no whole XML document"));
+  EXPECT_THAT(only_mjcf_problem(deep), HasSubstr("is not a complete XML document"));
   EXPECT_THAT(only_mjcf_problem("<!DOCTYPE m [<!ENTITY a \"b\"><!ENTITY c \"&a;&a;\">]><mujoco model=\"&c;\"/>"),
               HasSubstr("nothing in it moves"))
       << "entities are not expanded";

@@ -42,8 +42,8 @@ TEST_F(Numpy, ReadsArchivesOfNumpy) {
   EXPECT_THAT(format_.column(run, "tau[0]"), ElementsAre(0.0, -0.5, -1.0, -1.5, -2.0)) << "in Fortran order";
   EXPECT_THAT(FormatUnderTest::texts(format_.contents(run).remarks),
               ElementsAre(HasSubstr("`rate` is left out: it is a single value"),
-                          HasSubstr("`name` is left out: it holds no numbers"),
-                          HasSubstr("`mass` is left out: it has 3 rows where the others have 5")));
+                          HasSubstr("`name` is left out: it contains no numbers"),
+                          HasSubstr("`mass` is left out: it has 3 rows, but the others have 5")));
   EXPECT_THAT(format_.column(recorded_by_others("run_compressed.npz"), "q[1]"),
               ElementsAre(0.25, 0.75, 1.25, 1.75, 2.25));
 }
@@ -82,14 +82,14 @@ TEST_F(Numpy, ReadsEveryTypeOfNumber) {
 
 TEST_F(Numpy, RefusesWithTheReason) {
   const auto problem = [&](const std::string& bytes) { return format_.problems(file(bytes)); };
-  EXPECT_THAT(problem(""), ElementsAre(HasSubstr("is no .npy file")));
-  EXPECT_THAT(problem("t,q\n0,1\n1,2\n"), ElementsAre(HasSubstr("is no .npy file")));
+  EXPECT_THAT(problem(""), ElementsAre(HasSubstr("is not an .npy file")));
+  EXPECT_THAT(problem("t,q\n0,1\n1,2\n"), ElementsAre(HasSubstr("is not an .npy file")));
   EXPECT_THAT(problem(array_file(header_of("'<f8'", "(3,)"), std::string(17, '\0'))),
-              ElementsAre(HasSubstr("breaks off after 2 of 3 rows")));
+              ElementsAre(HasSubstr("ends after 2 of 3 rows")));
   EXPECT_THAT(problem(array_file(header_of("'<f8'", "(1000000000000000,)"), std::string(16, '\0'))),
-              ElementsAre(HasSubstr("breaks off after 2 of 1000000000000000 rows")));
+              ElementsAre(HasSubstr("ends after 2 of 1000000000000000 rows")));
   EXPECT_THAT(problem(array_file(header_of("'<f8'", "(2, 4611686018427387904, 4)"), "")),
-              ElementsAre(HasSubstr("more than 4096 numbers in a row")));
+              ElementsAre(HasSubstr("more than 4096 numbers per row")));
   EXPECT_THAT(problem(array_file(header_of("'|O'", "(3,)"), "")), ElementsAre(HasSubstr("Python objects")));
   EXPECT_THAT(problem(array_file(header_of("'<c16'", "(3,)"), "")), ElementsAre(HasSubstr("no numbers")));
   EXPECT_THAT(problem(array_file(header_of("'<f8'", "()"), std::string(8, '\0'))),

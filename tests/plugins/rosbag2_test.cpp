@@ -100,7 +100,7 @@ TEST_F(Rosbag2, ReadsWhatStandsBeforeABreak) {
   const std::string bytes = read_bytes(recorded_by_others("run_lz4.mcap"));
   const std::string run = mcap(bytes.substr(0, bytes.size() / 2));
   const ReadRows read = format_.read(run, {{"/joint_states", {"t"}}});
-  EXPECT_THAT(FormatUnderTest::texts(read.doubts), ElementsAre(HasSubstr("breaks off at byte")));
+  EXPECT_THAT(FormatUnderTest::texts(read.doubts), ElementsAre(HasSubstr("the file ends at byte")));
   EXPECT_GT(read.tables.at(0).columns.at(0).size(), 20U);
 }
 
@@ -147,27 +147,27 @@ TEST_F(Rosbag2, ReadsTheVersionsOfAControllersState) {
 
 TEST_F(Rosbag2, RefusesWithTheReason) {
   const auto problem = [&](const std::string& bytes) { return format_.problems(mcap(bytes)); };
-  EXPECT_THAT(problem("t,q\n"), ElementsAre(HasSubstr("is no MCAP file")));
+  EXPECT_THAT(problem("t,q\n"), ElementsAre(HasSubstr("is not an MCAP file")));
   McapBytes unknown_channel;
   unknown_channel.message(7, 1, "{}");
   EXPECT_THAT(problem(unknown_channel.whole()),
-              ElementsAre(AllOf(HasSubstr("at byte "), HasSubstr("channel 7, which stands nowhere before it"))));
+              ElementsAre(AllOf(HasSubstr("at byte "), HasSubstr("channel 7, which is not defined before it"))));
   McapBytes short_message;
   short_message.schema(1, "std_msgs/msg/Float64", "ros2msg", "float64 data");
   short_message.channel(1, 1, "/x", "cdr");
   short_message.message(1, 1, "\0\1\0\0\0\0"s);
   EXPECT_THAT(problem(short_message.whole()),
-              ElementsAre(HasSubstr("message 1 of topic /x (std_msgs/msg/Float64) ends within what its type has")));
+              ElementsAre(HasSubstr("message 1 of topic /x (std_msgs/msg/Float64) is too short for its type")));
   McapBytes long_message;
   long_message.schema(1, "std_msgs/msg/Float64", "ros2msg", "float64 data");
   long_message.channel(1, 1, "/x", "cdr");
   long_message.message(1, 1, "\0\1\0\0"s + std::string(20, '\0'));
-  EXPECT_THAT(problem(long_message.whole()), ElementsAre(HasSubstr("has 20 bytes where its type has 8")));
+  EXPECT_THAT(problem(long_message.whole()), ElementsAre(HasSubstr("has 20 bytes, but its type needs 8")));
   McapBytes list;
   list.schema(1, "a/msg/List", "ros2msg", "float64[] data");
   list.channel(1, 1, "/x", "cdr");
   list.message(1, 1, "\0\1\0\0\xff\xff\xff\xff"s);
-  EXPECT_THAT(problem(list.whole()), ElementsAre(HasSubstr("ends within what its type has")));
+  EXPECT_THAT(problem(list.whole()), ElementsAre(HasSubstr("is too short for its type")));
   McapBytes chunk;
   chunk.chunk("lzma", 3, "abc");
   EXPECT_THAT(problem(chunk.whole()), ElementsAre(HasSubstr("compressed with \"lzma\"")));

@@ -71,7 +71,7 @@ TEST(Urdf, PlacesJointsAndLinksInTheWorld) {
   const BodySpec& arm = made.robot.bodies.at(0);
   EXPECT_TRUE((arm.position + arm.orientation * arm.com).isApprox(Eigen::Vector3d(0.1, -0.1, 0.5)));
   EXPECT_TRUE(says(made, RobotRemarkKind::left_out, "1 velocity limit"));
-  EXPECT_TRUE(says(made, RobotRemarkKind::guessed, "base is held to the world"));
+  EXPECT_TRUE(says(made, RobotRemarkKind::guessed, "base is fixed to the world"));
 }
 
 /// Two balls of 1 kg, half a metre apart: the centre lies between, and the inertia is that of both.
@@ -109,7 +109,7 @@ TEST(Urdf, RepairsInertiasThatNoBodyHas) {
 TEST(Urdf, GivesAMassToWhatMovesAndHasNone) {
   const ReadRobot made = read(one_link(""));
   EXPECT_DOUBLE_EQ(made.robot.bodies.at(0).mass, 1e-3);
-  EXPECT_TRUE(says(made, RobotRemarkKind::guessed, "1 g is taken"));
+  EXPECT_TRUE(says(made, RobotRemarkKind::guessed, "1 g is used"));
 }
 
 TEST(Urdf, MakesCouplingsOfMimics) {
@@ -147,7 +147,7 @@ TEST(Urdf, DrivesWhatHasACommandInterface) {
   EXPECT_EQ(servo.robot.actuators.at(0).kind, ActuatorKind::position_servo);
   EXPECT_DOUBLE_EQ(servo.robot.actuators[0].kp, 200.0);
   EXPECT_DOUBLE_EQ(servo.robot.actuators[0].force_limit, 20.0);
-  EXPECT_TRUE(says(servo, RobotRemarkKind::guessed, "kp = 200 and kd = 20 are taken"));
+  EXPECT_TRUE(says(servo, RobotRemarkKind::guessed, "kp = 200 and kd = 20 are used"));
   const ReadRobot both = read(controlled("<command_interface name=\"velocity\"/><command_interface name=\"effort\"/>"));
   EXPECT_EQ(both.robot.actuators.at(0).kind, ActuatorKind::force);
   EXPECT_TRUE(says(both, RobotRemarkKind::guessed, "several command interfaces"));
@@ -196,7 +196,7 @@ TEST(Urdf, FloatsAlsoWhereItsRootIsCalledWorld) {
   EXPECT_EQ(freed.robot.bodies[0].name, "world_body");
   EXPECT_DOUBLE_EQ(freed.robot.bodies[0].mass, 2.0);
   EXPECT_EQ(freed.robot.joints.at(1).parent, "world_body") << "the leg hangs on the body, not on the world";
-  EXPECT_TRUE(says(freed, RobotRemarkKind::repaired, "link world moves, and is called world_body"));
+  EXPECT_TRUE(says(freed, RobotRemarkKind::repaired, "link world moves and gets the name world_body"));
   EXPECT_EQ(read(text).robot.joints.at(0).parent, kWorld);
   RobotSpec heavier = freed.robot;
   heavier.bodies[0].mass = 3.0;
@@ -262,28 +262,28 @@ TEST(Urdf, NamesElementsAsTheProgramCan) {
   ASSERT_THAT(made.problems, IsEmpty());
   EXPECT_EQ(made.robot.bodies.at(0).name, "arm_1");
   EXPECT_EQ(made.robot.joints.at(0).child, "arm_1");
-  EXPECT_TRUE(says(made, RobotRemarkKind::repaired, "\"arm.1\" is called arm_1"));
+  EXPECT_TRUE(says(made, RobotRemarkKind::repaired, "\"arm.1\" gets the name arm_1"));
 }
 
 TEST(Urdf, TakesNothingForANumberThatIsNone) {
   const std::string comma = "<inertial><mass value=\"1,5\"/></inertial>";
   EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is no number"));
   EXPECT_THAT(only_problem(one_link("<inertial><mass value=\"nan\"/></inertial>")), HasSubstr("is no number"));
-  EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 1\"/>")), HasSubstr("is to be three numbers"));
+  EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 1\"/>")), HasSubstr("must be three numbers"));
   EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 0 0\"/>")), HasSubstr("has no direction"));
   EXPECT_EQ(read(one_link(comma)).problems.front().line, 3);
 }
 
 TEST(Urdf, SaysWhatIsWrongWithATree) {
   EXPECT_THAT(only_problem(robot(link("a") + link("b", kUrdfInertial) + joint("j", "continuous", "a", "c"))),
-              HasSubstr("names the link \"c\", which there is not"));
-  EXPECT_THAT(only_problem(robot(link("a") + link("b"))), HasSubstr("both hang on no joint"));
+              HasSubstr("names the link \"c\", which does not exist"));
+  EXPECT_THAT(only_problem(robot(link("a") + link("b"))), HasSubstr("are both without a parent"));
   EXPECT_THAT(
       only_problem(robot(link("a") + link("b") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a"))),
       HasSubstr("form a loop"));
   EXPECT_THAT(only_problem(robot(link("a") + link("b") + link("c") + joint("j", "fixed", "a", "c") +
                                  joint("k", "fixed", "b", "c"))),
-              HasSubstr("hangs on two joints"));
+              HasSubstr("is the child of two joints"));
   EXPECT_THAT(only_problem(robot(link("a") + link("b") + joint("j", "elastic", "a", "b"))),
               HasSubstr("\"elastic\" is none"));
 }
@@ -296,7 +296,7 @@ TEST(Urdf, ReadsADeclarationBehindAComment) {
 }
 
 TEST(Urdf, RefusesWhatIsNoUrdf) {
-  EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\">"), HasSubstr("is no whole XML document"));
+  EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\">"), HasSubstr("is not a complete XML document"));
   EXPECT_THAT(only_problem("<mujoco/>"), HasSubstr("its root is not <robot>"));
   EXPECT_THAT(only_problem("<robot xmlns:xacro=\"http://wiki.ros.org/xacro\"><xacro:include filename=\"a\"/></robot>"),
               HasSubstr("is a xacro file"));
@@ -306,10 +306,10 @@ TEST(Urdf, RefusesWhatIsNoUrdf) {
               IsEmpty());
   EXPECT_THAT(only_problem("<robot name=\"x\"/>"), HasSubstr("has no <link>"));
   EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\"/></robot>\nlink<!-- -->"),
-              HasSubstr("words stand behind the outermost element"));
+              HasSubstr("text follows the outermost element"));
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
-  EXPECT_THAT(only_problem(deep), HasSubstr("is no whole XML document"));
+  EXPECT_THAT(only_problem(deep), HasSubstr("is not a complete XML document"));
 }
 
 /// Entities of a document's own are not expanded, however often each names the one before.

@@ -12,14 +12,14 @@ class Armature : public PhysicalEffect {
 };
 
 EffectDescription Armature::describe() const {
-  return {.summary = "Inertia added to a joint's own coordinate, as of a rotor behind a gear",
+  return {.summary = "Inertia added to the coordinate of a joint, such as a rotor behind a gear",
           .equation = "tau = -inertia*d2q/dt2",
           .literature = "R. Featherstone, Rigid Body Dynamics Algorithms, Springer 2008, section 9.6",
-          .regime = "accelerations, most of all at high frequency",
+          .regime = "accelerations, especially at high frequency",
           .look_alikes = {"payload", "torque_gain"},
           .placements = {ElementKind::joint},
           .parameters = {{"inertia", "{inertia}", 0.0, 0.0, 10000.0, Scale::linear,
-                          "Inertia at the joint; of a rotor, times the square of the gear ratio"}}};
+                          "Inertia at the joint; for a rotor: its inertia times the square of the gear ratio"}}};
 }
 
 void Armature::amend(RobotSpec& robot, const EffectContext& context) const {

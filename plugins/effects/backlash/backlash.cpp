@@ -24,13 +24,14 @@ EffectDescription Backlash::describe() const {
       .equation =
           "tau = stiffness*dz(rotor - q) + damping*(d rotor/dt - v) in contact, 0 in the gap; dz is 0 within +-gap/2",
       .literature = "M. Nordin, P.-O. Gutman, Automatica 38 (2002) 1633-1649",
-      .regime = "reversals of the load: a short free way, then an impact",
+      .regime = "reversals of the load: a short free motion, then an impact",
       .look_alikes = {"joint_compliance", "hysteresis", "dead_zone"},
       .placements = {ElementKind::actuator},
-      .parameters = {{"gap", "{position}", 0.0, 0.0, 10.0, Scale::linear, "Whole width of the play, at the joint"},
-                     {"stiffness", "{force}/{position}", 10000.0, 0.001, 1e9, Scale::logarithmic,
-                      "Stiffness of the flanks; of a transmission that is elastic already, its own counts"},
-                     {"damping", "{force}*s/{position}", 0.0, 0.0, 1e6, Scale::linear, "Damping of the flanks"}},
+      .parameters =
+          {{"gap", "{position}", 0.0, 0.0, 10.0, Scale::linear, "Whole width of the play, at the joint"},
+           {"stiffness", "{force}/{position}", 10000.0, 0.001, 1e9, Scale::logarithmic,
+            "Stiffness of the flanks; in an elastic transmission, the transmission's stiffness is used instead"},
+           {"damping", "{force}*s/{position}", 0.0, 0.0, 1e6, Scale::linear, "Damping of the flanks"}},
       .neutral = {0.0, 1e9, 0.0}};
 }
 

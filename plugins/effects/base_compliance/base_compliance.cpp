@@ -44,10 +44,10 @@ struct BaseStep {
 }  // namespace
 
 EffectDescription BaseCompliance::describe() const {
-  return {.summary = "A mount that gives way to the reaction of a joint's actuators, and shakes",
+  return {.summary = "An elastic mount that moves and oscillates under the reaction of a joint's actuators",
           .equation = "dw2/dt2 = -frequency^2*w - 2*damping_ratio*frequency*dw/dt - tau_actuator, tau = -ratio*d2w/dt2",
           .literature = "W. J. Book, S. H. Lee, American Control Conference 1989, 1377-1380",
-          .regime = "quick changes of the command, after which the joint goes on shaking",
+          .regime = "quick changes of the command, after which the joint oscillates",
           .look_alikes = {"link_flexibility", "joint_compliance"},
           .placements = {ElementKind::joint},
           .parameters = {

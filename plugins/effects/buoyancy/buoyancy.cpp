@@ -12,10 +12,10 @@ class Buoyancy : public PhysicalEffect {
 };
 
 EffectDescription Buoyancy::describe() const {
-  return {.summary = "Buoyancy of a body, as if part of its weight were gone",
+  return {.summary = "Buoyancy of a body, which removes part of its weight but not of its inertia",
           .equation = "F = -displaced*g",
           .literature = "Archimedes, On Floating Bodies, about 250 BC",
-          .regime = "rest and slow motion against gravity: less weight, the same inertia",
+          .regime = "rest and slow motion against gravity: less weight with the same inertia",
           .look_alikes = {"payload", "cable_pull"},
           .placements = {ElementKind::body},
           .parameters = {

@@ -18,16 +18,17 @@ enum Parameter : std::size_t { kTension, kX, kY, kZ };
 }  // namespace
 
 EffectDescription CablePull::describe() const {
-  return {.summary = "A cable under constant tension between a body and a fixed point",
-          .equation = "F = tension*(point - com)/|point - com|",
-          .literature = "J. L. Meriam, L. G. Kraige, Engineering Mechanics: Statics, Wiley 2006, chapter 3",
-          .regime = "a force whose direction turns as the body moves; a shifted rest position",
-          .look_alikes = {"joint_offset_torque", "joint_spring", "mount_tilt"},
-          .placements = {ElementKind::body},
-          .parameters = {{"tension", "N", 0.0, 0.0, 100000.0, Scale::linear, "Pull of the cable"},
-                         {"x", "m", 0.0, -100.0, 100.0, Scale::linear, "Where it is fixed, in the world"},
-                         {"y", "m", 0.0, -100.0, 100.0, Scale::linear, "Where it is fixed, in the world"},
-                         {"z", "m", 0.0, -100.0, 100.0, Scale::linear, "Where it is fixed, in the world"}}};
+  return {
+      .summary = "A cable under constant tension between a body and a fixed point",
+      .equation = "F = tension*(point - com)/|point - com|",
+      .literature = "J. L. Meriam, L. G. Kraige, Engineering Mechanics: Statics, Wiley 2006, chapter 3",
+      .regime = "a force whose direction turns as the body moves; a shifted rest position",
+      .look_alikes = {"joint_offset_torque", "joint_spring", "mount_tilt"},
+      .placements = {ElementKind::body},
+      .parameters = {{"tension", "N", 0.0, 0.0, 100000.0, Scale::linear, "Pull of the cable"},
+                     {"x", "m", 0.0, -100.0, 100.0, Scale::linear, "Point where the cable is fixed, in the world"},
+                     {"y", "m", 0.0, -100.0, 100.0, Scale::linear, "Point where the cable is fixed, in the world"},
+                     {"z", "m", 0.0, -100.0, 100.0, Scale::linear, "Point where the cable is fixed, in the world"}}};
 }
 
 void CablePull::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,

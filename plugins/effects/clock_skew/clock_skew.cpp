@@ -51,11 +51,11 @@ EffectDescription ClockSkew::describe() const {
   return {.summary = "A sensor's clock runs faster or slower than that of the commands",
           .equation = "y(t) = x(t/(1 + skew)), along a parabola through the last readings",
           .literature = "D. L. Mills, IEEE Trans. Communications 39 (1991) 1482-1493",
-          .regime = "long trials: what begins in step ends apart",
+          .regime = "long trials: readings agree with commands at the beginning but not at the end",
           .look_alikes = {"sensor_delay", "command_delay", "sensor_drift"},
           .placements = {ElementKind::sensor},
-          .parameters = {{"skew", "1", 0.0, -0.02, 0.02, Scale::linear,
-                          "How much the clock gains: 1e-3 is a millisecond a second"}}};
+          .parameters = {
+              {"skew", "1", 0.0, -0.02, 0.02, Scale::linear, "Rate error of the clock: 1e-3 is 1 ms per second"}}};
 }
 
 int ClockSkew::state_size(const EffectContext& context) const {
@@ -67,7 +67,7 @@ void ClockSkew::amend(RobotSpec& robot, const EffectContext& context) const {
     const SensorSpec& sensor = robot.sensors[static_cast<std::size_t>(element)];
     if (sensor.kind == SensorKind::touch || sensor.kind == SensorKind::contact_force)
       throw Error("sensor." + sensor.name +
-                  " reads contacts, whose jumps have no slope to follow; place the effect on sensors of motion");
+                  " reads contacts, whose values jump and have no slope; place the effect on sensors of motion");
   }
 }
 

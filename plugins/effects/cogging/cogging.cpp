@@ -25,13 +25,13 @@ EffectDescription Cogging::describe() const {
   return {.summary = "A torque that varies periodically with a joint's position",
           .equation = "tau = sine*sin(periods*q) + cosine*cos(periods*q)",
           .literature = "T. M. Jahns, W. L. Soong, IEEE Trans. Industrial Electronics 43 (1996) 321-330",
-          .regime = "slow motion; a ripple that repeats with the position and not with time",
+          .regime = "slow motion: a ripple that repeats with the position, not with time",
           .look_alikes = {"position_friction", "encoder_eccentricity"},
           .placements = {ElementKind::joint},
-          .parameters = {{"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the sine"},
-                         {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the cosine"},
+          .parameters = {{"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Amplitude of the sine"},
+                         {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Amplitude of the cosine"},
                          {"periods", "1/{position}", 1.0, 0.5, 100000.0, Scale::logarithmic,
-                          "Periods in 2 pi of the coordinate: 1 is once a turn"}}};
+                          "Periods per 2 pi of the coordinate: 1 is once per turn"}}};
 }
 
 void Cogging::amend(RobotSpec& robot, const EffectContext& context) const {

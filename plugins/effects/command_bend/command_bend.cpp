@@ -18,14 +18,14 @@ class CommandBend : public PhysicalEffect {
 };
 
 EffectDescription CommandBend::describe() const {
-  return {.summary = "A drive whose force grows more, or less, than in proportion to its command",
-          .equation = "u_out = u + bend*|u|*u; for bend < 0 it stays at its top beyond |u| = -1/(2*bend)",
+  return {.summary = "A drive whose force is not proportional to its command",
+          .equation = "u_out = u + bend*|u|*u; for bend < 0 it is constant beyond |u| = -1/(2*bend)",
           .literature = "T. I. Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control, Wiley 2011",
-          .regime = "large commands beside small ones",
+          .regime = "large commands compared with small ones",
           .look_alikes = {"torque_gain", "torque_saturation", "supply_sag"},
           .placements = {ElementKind::actuator},
           .parameters = {{"bend", "1/{command}", 0.0, -10000.0, 10000.0, Scale::linear,
-                          "By how much of itself a command counts more, over the command"}}};
+                          "Relative change of the command, per unit of command"}}};
 }
 
 void CommandBend::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -17,7 +17,7 @@ EffectDescription CommandOffset::describe() const {
           .regime = "drift to one side with no command",
           .look_alikes = {"joint_offset_torque", "sensor_offset", "directional_friction"},
           .placements = {ElementKind::actuator},
-          .parameters = {{"offset", "{command}", 0.0, -10000.0, 10000.0, Scale::linear, "What is added"}}};
+          .parameters = {{"offset", "{command}", 0.0, -10000.0, 10000.0, Scale::linear, "Added constant"}}};
 }
 
 void CommandOffset::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -15,7 +15,7 @@ class CommandQuantisation : public PhysicalEffect {
 };
 
 EffectDescription CommandQuantisation::describe() const {
-  return {.summary = "An actuator that takes its command in whole steps",
+  return {.summary = "An actuator that rounds its command to whole steps",
           .equation = "u_out = step*round(u/step)",
           .literature = "B. Widrow, I. Kollar, Quantization Noise, Cambridge University Press 2008",
           .regime = "small commands, and commands that change slowly",

@@ -21,7 +21,7 @@ EffectDescription ContactCompliance::describe() const {
   return {.summary = "Elastic contact of bodies and ground, damped in proportion to its penetration",
           .equation = "F_n = stiffness*x*(1 + damping*dx/dt)",
           .literature = "K. H. Hunt, F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440-445",
-          .regime = "touch-down: how long a contact lasts and how deep it goes",
+          .regime = "touch-down: duration and depth of contacts",
           .look_alikes = {"restitution", "base_compliance"},
           .placements = {ElementKind::world},
           .parameters = {{"stiffness", "N/m", 1e6, 1.0, 1e9, Scale::logarithmic,

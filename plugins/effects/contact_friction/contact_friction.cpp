@@ -12,10 +12,10 @@ class ContactFriction : public PhysicalEffect {
 };
 
 EffectDescription ContactFriction::describe() const {
-  return {.summary = "Coulomb friction of given size between bodies and ground",
+  return {.summary = "Coulomb friction with a given coefficient between bodies and ground",
           .equation = "|F_t| <= coefficient*F_n",
           .literature = "C. A. Coulomb, Theorie des machines simples, 1785",
-          .regime = "feet and wheels that slide",
+          .regime = "sliding feet and wheels",
           .look_alikes = {"wheel_slip", "rolling_resistance"},
           .placements = {ElementKind::world},
           .parameters = {{"coefficient", "1", 1.0, 0.0, 10.0, Scale::linear,

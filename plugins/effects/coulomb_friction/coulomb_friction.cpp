@@ -14,7 +14,7 @@ class CoulombFriction : public PhysicalEffect {
 
 EffectDescription CoulombFriction::describe() const {
   return {.summary = "Dry friction of constant size in a joint, with stiction",
-          .equation = "tau = -torque*sgn(v); at rest whatever holds the joint still, up to torque",
+          .equation = "tau = -torque*sgn(v); at rest, any torque up to `torque` that holds the joint",
           .literature =
               "C. A. Coulomb, Théorie des machines simples, 1785; B. Armstrong-Hélouvry, P. Dupont, "
               "C. Canudas de Wit, Automatica 30 (1994) 1083-1138",

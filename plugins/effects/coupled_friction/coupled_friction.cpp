@@ -30,7 +30,7 @@ double friction_per_velocity(std::span<const double> p, double r) {
 
 EffectDescription CoupledFriction::describe() const {
   return {
-      .summary = "Friction of the motion that two joints share in a differential or a belt",
+      .summary = "Friction of the common motion of two joints in a differential or a belt drive",
       .equation =
           "r = v1 + ratio*v2, f = viscous*r + dry*tanh(r/velocity), tau1 = -f, tau2 = -ratio*f; 1 and 2 in the "
           "order of the robot's joints",
@@ -44,7 +44,7 @@ EffectDescription CoupledFriction::describe() const {
                      {"velocity", "{position}/s", 0.01, 1e-6, 1000.0, Scale::logarithmic,
                       "Coupled velocity at which three quarters of the dry friction act"},
                      {"ratio", "1", 1.0, -100.0, 100.0, Scale::linear,
-                      "Share of the second joint's velocity in the coupled one"}},
+                      "Weight of the second joint's velocity in the coupled velocity"}},
       .dissipative = true};
 }
 

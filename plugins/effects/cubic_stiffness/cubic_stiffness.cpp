@@ -22,16 +22,16 @@ enum Parameter : std::size_t { kStiffness, kRest };
 }  // namespace
 
 EffectDescription CubicStiffness::describe() const {
-  return {.summary = "A spring in a joint whose torque grows with the third power of its deflection",
-          .equation = "tau = -stiffness*(q - rest)^3",
-          .literature = "G. Duffing, Erzwungene Schwingungen bei veraenderlicher Eigenfrequenz, Vieweg 1918",
-          .regime = "large excursions; a frequency that depends on the amplitude",
-          .look_alikes = {"joint_spring", "hard_stop"},
-          .placements = {ElementKind::joint},
-          .parameters = {
-              {"stiffness", "{force}/{position}^3", 0.0, -1e6, 1e6, Scale::linear,
-               "Torque per cubed angle, on a slider force per cubed distance"},
-              {"rest", "{position}", 0.0, -1000.0, 1000.0, Scale::linear, "Position at which the spring is slack"}}};
+  return {
+      .summary = "A spring in a joint whose torque grows with the third power of its deflection",
+      .equation = "tau = -stiffness*(q - rest)^3",
+      .literature = "G. Duffing, Erzwungene Schwingungen bei veraenderlicher Eigenfrequenz, Vieweg 1918",
+      .regime = "large excursions; a frequency that depends on the amplitude",
+      .look_alikes = {"joint_spring", "hard_stop"},
+      .placements = {ElementKind::joint},
+      .parameters = {{"stiffness", "{force}/{position}^3", 0.0, -1e6, 1e6, Scale::linear,
+                      "Torque per cubed angle, on a slider force per cubed distance"},
+                     {"rest", "{position}", 0.0, -1000.0, 1000.0, Scale::linear, "Position without spring torque"}}};
 }
 
 void CubicStiffness::amend(RobotSpec& robot, const EffectContext& context) const {

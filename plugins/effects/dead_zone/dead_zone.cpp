@@ -16,7 +16,7 @@ class DeadZone : public PhysicalEffect {
 
 EffectDescription DeadZone::describe() const {
   return {
-      .summary = "An actuator that does nothing on small commands",
+      .summary = "An actuator that ignores small commands",
       .equation = "u_out = 0 for |u| <= width, else u - width*sgn(u)",
       .literature =
           "G. Tao, P. V. Kokotovic, Adaptive Control of Systems with Actuator and Sensor Nonlinearities, Wiley 1996",
@@ -24,7 +24,7 @@ EffectDescription DeadZone::describe() const {
       .look_alikes = {"coulomb_friction", "backlash"},
       .placements = {ElementKind::actuator},
       .parameters = {{"width", "{command}", 0.0, 0.0, 10000.0, Scale::linear,
-                      "Half the width: the largest command that does nothing"}}};
+                      "Half the width: the largest command without effect"}}};
 }
 
 double DeadZone::command(double value, int, const StepView&, const EffectContext& context, std::span<double>) const {

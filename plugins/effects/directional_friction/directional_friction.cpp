@@ -24,7 +24,7 @@ EffectDescription DirectionalFriction::describe() const {
       .summary = "Dry friction in a joint that differs between the two directions of motion",
       .equation = "tau = -positive for v > 0, +negative for v < 0; at rest between the two",
       .literature = "A. Janot, P.-O. Vandanjon, M. Gautier, IEEE Trans. Control Systems Technology 22 (2014) 132-145",
-      .regime = "slow motion to both sides; to-and-fro motion that creeps to one side",
+      .regime = "slow motion in both directions; oscillation that drifts to one side",
       .look_alikes = {"coulomb_friction", "joint_offset_torque", "command_offset"},
       .placements = {ElementKind::joint},
       .parameters = {{"positive", "{force}", 0.0, 0.0, 10000.0, Scale::linear,

@@ -23,7 +23,7 @@ EffectDescription DirectionalViscousFriction::describe() const {
   return {.summary = "Viscous friction in a joint that differs between the two directions of motion",
           .equation = "tau = -positive*v for v > 0, -negative*v for v < 0",
           .literature = "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083-1138",
-          .regime = "fast motion to both sides",
+          .regime = "fast motion in both directions",
           .look_alikes = {"viscous_friction", "directional_friction", "quadratic_drag"},
           .placements = {ElementKind::joint},
           .parameters = {{"positive", "{force}*s/{position}", 0.0, 0.0, 10000.0, Scale::linear,

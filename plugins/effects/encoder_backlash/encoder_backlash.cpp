@@ -37,7 +37,7 @@ double actuator_force(const StepView& view, int coordinate) {
 }  // namespace
 
 EffectDescription EncoderBacklash::describe() const {
-  return {.summary = "Play between a joint and an encoder on the motor's side of its gear",
+  return {.summary = "Play between a joint and an encoder on the motor side of its gear",
           .equation = "y = x + gap/2*side, time*dside/dt = tanh(tau_actuator/force) - side",
           .literature = "M. Nordin, P.-O. Gutman, Automatica 38 (2002) 1633-1649",
           .regime = "reversals of the actuator's force: the reading jumps by the gap",
@@ -67,7 +67,7 @@ void EncoderBacklash::amend(RobotSpec& robot, const EffectContext& context) cons
     if (std::none_of(robot.actuators.begin(), robot.actuators.end(),
                      [&](const ActuatorSpec& actuator) { return actuator.joint == sensor.element; }))
       throw Error("sensor." + sensor.name + " reads joint." + sensor.element +
-                  ", which no actuator drives; place the effect on encoders of driven joints");
+                  ", which has no actuator; place the effect on encoders of driven joints");
   }
 }
 

@@ -21,16 +21,16 @@ enum Parameter : std::size_t { kSine, kCosine, kPeriods };
 }  // namespace
 
 EffectDescription EncoderEccentricity::describe() const {
-  return {.summary = "A sensor's error that repeats with its reading, as of an encoder disc that is not centred",
+  return {.summary = "A sensor error that repeats with the reading, such as from an eccentric encoder disc",
           .equation = "y = x + sine*sin(periods*x) + cosine*cos(periods*x)",
           .literature = "J. R. R. Mayer, IEEE Trans. Instrumentation and Measurement 43 (1994) 494-498",
           .regime = "motion over a wide range: an error that repeats with the position",
           .look_alikes = {"sensor_scale", "cogging", "sensor_offset"},
           .placements = {ElementKind::sensor},
-          .parameters = {{"sine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Part that follows the sine"},
-                         {"cosine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Part that follows the cosine"},
+          .parameters = {{"sine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Amplitude of the sine"},
+                         {"cosine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Amplitude of the cosine"},
                          {"periods", "1/{channel}", 1.0, 0.5, 100000.0, Scale::logarithmic,
-                          "Periods in 2 pi of the reading: 1 is once a turn"}}};
+                          "Periods per 2 pi of the reading: 1 is once per turn"}}};
 }
 
 void EncoderEccentricity::sense(std::span<double> channels, int, const StepView&, const EffectContext& context,

@@ -24,7 +24,7 @@ enum Parameter : std::size_t { kDrive, kBackdrive };
 
 EffectDescription GearEfficiency::describe() const {
   return {
-      .summary = "Dry friction of a gear proportional to its load, with one ratio for driving and one for back-driving",
+      .summary = "Dry friction of a gear proportional to its load, with different ratios for driving and back-driving",
       .equation =
           "tau = -ratio*|tau_actuator|*sgn(v); ratio = drive_ratio for tau_actuator*v > 0, backdrive_ratio for "
           "tau_actuator*v < 0",
@@ -35,9 +35,9 @@ EffectDescription GearEfficiency::describe() const {
       .look_alikes = {"load_friction", "coulomb_friction", "torque_gain"},
       .placements = {ElementKind::joint},
       .parameters = {{"drive_ratio", "1", 0.0, 0.0, 0.95, Scale::linear,
-                      "Friction over the size of the actuator force, where that force drives the motion"},
+                      "Friction over the magnitude of the actuator force, where this force drives the motion"},
                      {"backdrive_ratio", "1", 0.0, 0.0, 10.0, Scale::linear,
-                      "Friction over the size of the actuator force, where that force brakes the motion"}},
+                      "Friction over the magnitude of the actuator force, where this force brakes the motion"}},
       .dissipative = true};
 }
 

@@ -24,14 +24,14 @@ EffectDescription HardStop::describe() const {
           .equation = "tau = -max(0, stiffness*(q - upper) + damping*v) for q > upper; the same below lower",
           .literature =
               "G. Gilardi, I. Sharf, Mechanism and Machine Theory 37 (2002) 1213-1239 (spring and dashpot in parallel)",
-          .regime = "excursions to the ends of the range",
+          .regime = "motion to the ends of the range",
           .look_alikes = {"cubic_stiffness", "joint_spring"},
           .placements = {ElementKind::joint},
           .parameters = {
-              {"lower", "{position}", -1000.0, -1000.0, 1000.0, Scale::linear, "Where the lower stop begins"},
-              {"upper", "{position}", 1000.0, -1000.0, 1000.0, Scale::linear, "Where the upper stop begins"},
+              {"lower", "{position}", -1000.0, -1000.0, 1000.0, Scale::linear, "Position of the lower stop"},
+              {"upper", "{position}", 1000.0, -1000.0, 1000.0, Scale::linear, "Position of the upper stop"},
               {"stiffness", "{force}/{position}", 1000.0, 0.001, 1e9, Scale::logarithmic, "Stiffness of the stops"},
-              {"damping", "{force}*s/{position}", 0.0, 0.0, 1e6, Scale::linear, "Damping while a stop is touched"}}};
+              {"damping", "{force}*s/{position}", 0.0, 0.0, 1e6, Scale::linear, "Damping during contact with a stop"}}};
 }
 
 void HardStop::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -31,7 +31,7 @@ double decay(std::span<const double> p, double v, double z) {
 }  // namespace
 
 EffectDescription Hysteresis::describe() const {
-  return {.summary = "An elastic torque in a joint that remembers where motion came from",
+  return {.summary = "An elastic torque in a joint that depends on the path of the motion",
           .equation = "tau = -torque*z, dz/dt = (v - sharpness*|v|*z + (sharpness - 1)*v*|z|)/distance",
           .literature =
               "Y.-K. Wen, J. Engineering Mechanics Division ASCE 102 (1976) 249-263; F. Ikhouane, J. Rodellar, "
@@ -40,11 +40,11 @@ EffectDescription Hysteresis::describe() const {
           .look_alikes = {"coulomb_friction", "lugre_friction", "joint_spring"},
           .placements = {ElementKind::joint},
           .parameters = {{"torque", "{force}", 0.0, 0.0, 10000.0, Scale::linear,
-                          "Size of the torque once the motion goes on in one direction"},
+                          "Magnitude of the torque after a long motion in one direction"},
                          {"distance", "{position}", 0.05, 1e-6, 1000.0, Scale::logarithmic,
-                          "Way over which it turns round after a reversal"},
+                          "Distance over which the torque changes sign after a reversal"},
                          {"sharpness", "1", 0.5, 0.5, 10.0, Scale::linear,
-                          "How much softer it loads than it unloads; 0.5: alike"}},
+                          "How much softer it loads than it unloads; 0.5: equal"}},
           .dissipative = true};
 }
 

@@ -22,7 +22,7 @@ EffectDescription JointCompliance::describe() const {
   return {.summary = "An elastic transmission between an actuator's rotor and its joint",
           .equation = "tau = stiffness*(rotor - q) + damping*(d rotor/dt - v)",
           .literature = "M. W. Spong, J. Dynamic Systems, Measurement, and Control 109 (1987) 310-319",
-          .regime = "quick changes of the load; the joint goes on shaking",
+          .regime = "quick changes of the load; the joint oscillates",
           .look_alikes = {"backlash", "link_flexibility", "base_compliance"},
           .placements = {ElementKind::actuator},
           .parameters = {{"stiffness", "{force}/{position}", 10000.0, 0.001, 1e9, Scale::logarithmic,

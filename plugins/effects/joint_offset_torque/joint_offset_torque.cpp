@@ -18,7 +18,7 @@ EffectDescription JointOffsetTorque::describe() const {
           .literature =
               "A. Janot, P.-O. Vandanjon, M. Gautier, IEEE Trans. Control Systems Technology 22 (2014) "
               "132-145 (the offset term of the joint dynamics)",
-          .regime = "drift to one side; a rest position that is shifted whatever the direction of motion",
+          .regime = "drift to one side; a rest position that is shifted in both directions of motion",
           .look_alikes = {"command_offset", "directional_friction", "cable_pull", "mount_tilt"},
           .placements = {ElementKind::joint},
           .parameters = {{"torque", "{force}", 0.0, -1e4, 1e4, Scale::linear,

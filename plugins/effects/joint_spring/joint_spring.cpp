@@ -18,16 +18,16 @@ enum Parameter : std::size_t { kStiffness, kRest };
 }  // namespace
 
 EffectDescription JointSpring::describe() const {
-  return {.summary = "A linear spring in a joint",
-          .equation = "tau = -stiffness*(q - rest)",
-          .literature = "R. Hooke, De potentia restitutiva, 1678",
-          .regime = "excursions far from the rest position; slow motion, where nothing else pulls back",
-          .look_alikes = {"cubic_stiffness", "cable_pull", "hard_stop"},
-          .placements = {ElementKind::joint},
-          .parameters = {
-              {"stiffness", "{force}/{position}", 0.0, 0.0, 1e6, Scale::linear,
-               "Torque per angle, on a slider force per distance"},
-              {"rest", "{position}", 0.0, -1000.0, 1000.0, Scale::linear, "Position at which the spring is slack"}}};
+  return {
+      .summary = "A linear spring in a joint",
+      .equation = "tau = -stiffness*(q - rest)",
+      .literature = "R. Hooke, De potentia restitutiva, 1678",
+      .regime = "large distances from the rest position; slow motion without another restoring force",
+      .look_alikes = {"cubic_stiffness", "cable_pull", "hard_stop"},
+      .placements = {ElementKind::joint},
+      .parameters = {{"stiffness", "{force}/{position}", 0.0, 0.0, 1e6, Scale::linear,
+                      "Torque per angle, on a slider force per distance"},
+                     {"rest", "{position}", 0.0, -1000.0, 1000.0, Scale::linear, "Position without spring torque"}}};
 }
 
 void JointSpring::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -12,10 +12,10 @@ class LinearDrag : public PhysicalEffect {
 };
 
 EffectDescription LinearDrag::describe() const {
-  return {.summary = "Drag on a body that grows with the velocity of its centre of mass",
+  return {.summary = "Drag on a body, proportional to the velocity of its centre of mass",
           .equation = "F = -drag*v",
           .literature = "G. G. Stokes, Trans. Cambridge Philosophical Society 9 (1851) 8",
-          .regime = "motion through a thick medium; a free swing that dies away by the same share in every period",
+          .regime = "motion through a viscous medium; a free swing that decays by the same share in each period",
           .look_alikes = {"viscous_friction", "quadratic_drag"},
           .placements = {ElementKind::body},
           .parameters = {{"drag", "N*s/m", 0.0, 0.0, 100000.0, Scale::linear, "Force per velocity"}},

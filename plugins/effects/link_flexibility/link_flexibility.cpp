@@ -42,10 +42,10 @@ struct ModeStep {
 
 EffectDescription LinkFlexibility::describe() const {
   return {
-      .summary = "The first bending mode of a link, an inertia that follows its joint by a spring",
+      .summary = "The first bending mode of a link: an inertia that is coupled to its joint by a spring",
       .equation = "inertia*d2x/dt2 = -tau, tau = inertia*(frequency^2*(x - q) + 2*damping_ratio*frequency*(dx/dt - v))",
       .literature = "W. J. Book, Int. J. Robotics Research 3 (1984) 87-101",
-      .regime = "quick changes of the torque, after which the joint goes on shaking",
+      .regime = "quick changes of the torque, after which the joint oscillates",
       .look_alikes = {"joint_compliance", "base_compliance"},
       .placements = {ElementKind::joint},
       .parameters = {

@@ -16,14 +16,14 @@ class LoadFriction : public PhysicalEffect {
 };
 
 EffectDescription LoadFriction::describe() const {
-  return {
-      .summary = "Dry friction in a joint proportional to its actuators' force",
-      .equation = "tau = -ratio*|tau_actuator|*sgn(v)",
-      .literature = "P. Hamon, M. Gautier, P. Garrec, IROS 2010, 6187-6193",
-      .regime = "high load at any velocity; more friction the harder the motor works",
-      .look_alikes = {"coulomb_friction", "torque_gain"},
-      .placements = {ElementKind::joint},
-      .parameters = {{"ratio", "1", 0.0, 0.0, 0.95, Scale::linear, "Friction over the size of the actuator force"}}};
+  return {.summary = "Dry friction in a joint proportional to its actuators' force",
+          .equation = "tau = -ratio*|tau_actuator|*sgn(v)",
+          .literature = "P. Hamon, M. Gautier, P. Garrec, IROS 2010, 6187-6193",
+          .regime = "high load at any velocity; friction grows with the motor's effort",
+          .look_alikes = {"coulomb_friction", "torque_gain"},
+          .placements = {ElementKind::joint},
+          .parameters = {
+              {"ratio", "1", 0.0, 0.0, 0.95, Scale::linear, "Friction over the magnitude of the actuator force"}}};
 }
 
 void LoadFriction::amend(RobotSpec& robot, const EffectContext& context) const {

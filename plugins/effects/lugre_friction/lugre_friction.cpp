@@ -33,25 +33,24 @@ double break_away(std::span<const double> p, double v) {
 
 EffectDescription LugreFriction::describe() const {
   return {
-      .summary = "Dry friction with elastic bristles: it gives way before it slides",
+      .summary = "Dry friction with elastic bristles: an elastic displacement precedes sliding",
       .equation =
           "dz/dt = v - bristle_stiffness*|v|/g(v)*z, tau = -(bristle_stiffness*z + bristle_damping*dz/dt + viscous*v), "
           "g = coulomb + excess*exp(-(v/velocity)^2)",
       .literature =
           "C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky, IEEE Trans. Automatic Control 40 (1995) 419-425",
-      .regime = "reversals and slow motion; small motion that springs back before it slides",
+      .regime = "reversals and slow motion; small displacements that spring back",
       .look_alikes = {"coulomb_friction", "stribeck_friction", "hysteresis", "viscous_friction"},
       .placements = {ElementKind::joint},
-      .parameters = {{"coulomb", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Friction when sliding fast"},
-                     {"excess", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Break-away friction beyond that"},
-                     {"velocity", "{position}/s", 0.05, 1e-6, 1000.0, Scale::logarithmic,
-                      "Velocity over which the excess falls"},
-                     {"bristle_stiffness", "{force}/{position}", 100.0, 0.001, 1e9, Scale::logarithmic,
-                      "Stiffness of the bristles, before sliding begins"},
-                     {"bristle_damping", "{force}*s/{position}", 0.0, 0.0, 100000.0, Scale::linear,
-                      "Damping of the bristles"},
-                     {"viscous", "{force}*s/{position}", 0.0, 0.0, 10000.0, Scale::linear,
-                      "Friction per velocity of the sliding film"}},
+      .parameters =
+          {{"coulomb", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Coulomb friction, at high sliding speed"},
+           {"excess", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Break-away friction minus Coulomb friction"},
+           {"velocity", "{position}/s", 0.05, 1e-6, 1000.0, Scale::logarithmic,
+            "Velocity at which the excess has decayed"},
+           {"bristle_stiffness", "{force}/{position}", 100.0, 0.001, 1e9, Scale::logarithmic,
+            "Stiffness of the bristles, before sliding begins"},
+           {"bristle_damping", "{force}*s/{position}", 0.0, 0.0, 100000.0, Scale::linear, "Damping of the bristles"},
+           {"viscous", "{force}*s/{position}", 0.0, 0.0, 10000.0, Scale::linear, "Viscous friction per velocity"}},
       .dissipative = true};
 }
 

@@ -17,18 +17,18 @@ enum Parameter : std::size_t { kRoll, kPitch };
 }  // namespace
 
 EffectDescription MountTilt::describe() const {
-  return {
-      .summary = "A rig that does not stand level: gravity is tilted in its frame",
-      .equation = "g = Rx(roll)^-1*Ry(pitch)^-1*g0",
-      .literature =
-          "B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics, Springer 2009, section 7.1 (gravity in the "
-          "base "
-          "frame)",
-      .regime = "rest and slow motion: the rest position is shifted",
-      .look_alikes = {"joint_offset_torque", "sensor_offset", "cable_pull"},
-      .placements = {ElementKind::world},
-      .parameters = {{"roll", "rad", 0.0, -1.6, 1.6, Scale::linear, "Turn of the rig about its own x axis"},
-                     {"pitch", "rad", 0.0, -1.6, 1.6, Scale::linear, "Turn of the rig about the y axis, done first"}}};
+  return {.summary = "A rig that is not level: gravity is tilted in its frame",
+          .equation = "g = Rx(roll)^-1*Ry(pitch)^-1*g0",
+          .literature =
+              "B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics, Springer 2009, section 7.1 (gravity in the "
+              "base "
+              "frame)",
+          .regime = "rest and slow motion: the rest position is shifted",
+          .look_alikes = {"joint_offset_torque", "sensor_offset", "cable_pull"},
+          .placements = {ElementKind::world},
+          .parameters = {
+              {"roll", "rad", 0.0, -1.6, 1.6, Scale::linear, "Rotation of the rig about its x axis"},
+              {"pitch", "rad", 0.0, -1.6, 1.6, Scale::linear, "Rotation of the rig about the y axis, applied first"}}};
 }
 
 void MountTilt::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -30,13 +30,13 @@ EffectDescription Payload::describe() const {
   return {.summary = "A point mass carried by a body",
           .equation = "m' = m + mass, com' = (m*com + mass*place)/m', inertia by Steiner's theorem",
           .literature = "C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robotics Research 5 (1986) 101-119",
-          .regime = "accelerations, and gravity where it moves the centre of mass",
+          .regime = "accelerations, and gravity where the payload shifts the centre of mass",
           .look_alikes = {"armature", "torque_gain"},
           .placements = {ElementKind::body},
           .parameters = {{"mass", "kg", 0.0, 0.0, 1000.0, Scale::linear, "Mass of the payload"},
-                         {"x", "m", 0.0, -10.0, 10.0, Scale::linear, "Its place in the body frame"},
-                         {"y", "m", 0.0, -10.0, 10.0, Scale::linear, "Its place in the body frame"},
-                         {"z", "m", 0.0, -10.0, 10.0, Scale::linear, "Its place in the body frame"}}};
+                         {"x", "m", 0.0, -10.0, 10.0, Scale::linear, "Position in the body frame"},
+                         {"y", "m", 0.0, -10.0, 10.0, Scale::linear, "Position in the body frame"},
+                         {"z", "m", 0.0, -10.0, 10.0, Scale::linear, "Position in the body frame"}}};
 }
 
 void Payload::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -30,10 +30,10 @@ EffectDescription PositionFriction::describe() const {
           .look_alikes = {"coulomb_friction", "cogging"},
           .placements = {ElementKind::joint},
           .parameters = {{"mean", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Mean friction"},
-                         {"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the sine"},
-                         {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the cosine"},
+                         {"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Amplitude of the sine"},
+                         {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Amplitude of the cosine"},
                          {"periods", "1/{position}", 1.0, 0.001, 100000.0, Scale::logarithmic,
-                          "Periods in 2 pi of the coordinate: 1 is once a turn"}},
+                          "Periods per 2 pi of the coordinate: 1 is once per turn"}},
           .dissipative = true};
 }
 

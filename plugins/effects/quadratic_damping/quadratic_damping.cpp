@@ -16,10 +16,10 @@ class QuadraticDamping : public PhysicalEffect {
 };
 
 EffectDescription QuadraticDamping::describe() const {
-  return {.summary = "Torque against a joint's motion that grows with the square of its speed",
+  return {.summary = "Torque against a joint's motion, proportional to the square of its speed",
           .equation = "tau = -damping*|v|*v",
           .literature = "Lord Rayleigh, Philosophical Magazine 2 (1876) 430-441",
-          .regime = "fast rotation of a wheel, fan or propeller; it runs down fast at first and slowly in the end",
+          .regime = "fast rotation of a wheel, fan or propeller; run-down that is fast at first and slow at the end",
           .look_alikes = {"quadratic_drag", "viscous_friction", "linear_drag"},
           .placements = {ElementKind::joint},
           .parameters = {{"damping", "{force}*s^2/{position}^2", 0.0, 0.0, 1e4, Scale::linear,

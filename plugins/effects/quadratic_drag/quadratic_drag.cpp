@@ -18,16 +18,15 @@ enum Parameter : std::size_t { kArea, kDensity };
 }  // namespace
 
 EffectDescription QuadraticDrag::describe() const {
-  return {.summary = "Drag on a body that grows with the square of the velocity of its centre of mass",
+  return {.summary = "Drag on a body, proportional to the square of the velocity of its centre of mass",
           .equation = "F = -1/2*density*area*|v|*v",
           .literature = "Lord Rayleigh, Philosophical Magazine 2 (1876) 430-441",
-          .regime = "fast motion; large swings die away faster than small ones",
+          .regime = "fast motion; large swings decay faster than small ones",
           .look_alikes = {"linear_drag", "viscous_friction"},
           .placements = {ElementKind::body},
-          .parameters = {{"area", "m^2", 0.0, 0.0, 1000.0, Scale::linear,
-                          "Drag coefficient times the area that the flow meets"},
+          .parameters = {{"area", "m^2", 0.0, 0.0, 1000.0, Scale::linear, "Drag coefficient times frontal area"},
                          {"density", "kg/m^3", 1.2, 0.001, 10000.0, Scale::logarithmic,
-                          "Density of the medium: 1.2 is air, 1000 water"}},
+                          "Density of the medium: 1.2 for air, 1000 for water"}},
           .dissipative = true};
 }
 

@@ -13,10 +13,10 @@ class Quantisation : public PhysicalEffect {
 };
 
 EffectDescription Quantisation::describe() const {
-  return {.summary = "A sensor that reads in steps",
+  return {.summary = "A sensor that rounds its readings to whole steps",
           .equation = "y = step*round(x/step)",
           .literature = "B. Widrow, I. Kollar, Quantization Noise, Cambridge University Press 2008",
-          .regime = "slow motion and rest: the reading stands still and jumps",
+          .regime = "slow motion and rest: the reading is constant between jumps",
           .look_alikes = {"sensor_saturation", "dead_zone"},
           .placements = {ElementKind::sensor},
           .parameters = {{"step", "{channel}", 0.0, 0.0, 10000.0, Scale::linear, "Distance of neighbouring readings"}}};

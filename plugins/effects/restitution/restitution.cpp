@@ -20,8 +20,8 @@ EffectDescription Restitution::describe() const {
           .regime = "impacts",
           .look_alikes = {"contact_compliance"},
           .placements = {ElementKind::world},
-          .parameters = {
-              {"coefficient", "1", 0.0, 0.0, 1.0, Scale::linear, "Normal velocity after an impact over that before"}}};
+          .parameters = {{"coefficient", "1", 0.0, 0.0, 1.0, Scale::linear,
+                          "Normal velocity after an impact over the velocity before"}}};
 }
 
 void Restitution::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -12,10 +12,10 @@ class RollingResistance : public PhysicalEffect {
 };
 
 EffectDescription RollingResistance::describe() const {
-  return {.summary = "Resistance of the ground to what rolls on it",
+  return {.summary = "Resistance of the ground to rolling bodies",
           .equation = "|M| <= lever*F_n against rolling",
           .literature = "O. Reynolds, Philosophical Transactions 166 (1876) 155-174",
-          .regime = "free rolling, which dies away evenly",
+          .regime = "free rolling, which slows down at a constant rate",
           .look_alikes = {"coulomb_friction", "contact_friction", "slope"},
           .placements = {ElementKind::world},
           .parameters = {{"lever", "m", 0.0, 0.0, 1.0, Scale::linear, "Moment against rolling over the normal force"}},

@@ -13,14 +13,14 @@ class SensorDrift : public PhysicalEffect {
 };
 
 EffectDescription SensorDrift::describe() const {
-  return {.summary = "A sensor's readings move away evenly in time",
+  return {.summary = "A sensor reading that drifts at a constant rate",
           .equation = "y = x + rate*t",
           .literature = "JCGM 200:2012, International Vocabulary of Metrology, 4.21",
-          .regime = "long trials: the reading moves away whatever the robot does",
+          .regime = "long trials: the reading drifts, whatever the robot does",
           .look_alikes = {"clock_skew", "sensor_offset", "thermal_fade"},
           .placements = {ElementKind::sensor},
           .parameters = {{"rate", "{channel}/s", 0.0, -1000.0, 1000.0, Scale::linear,
-                          "Change in a second, from the start of the trial"}}};
+                          "Change per second, from the start of the trial"}}};
 }
 
 void SensorDrift::sense(std::span<double> channels, int, const StepView& view, const EffectContext& context,

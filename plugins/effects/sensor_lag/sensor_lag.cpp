@@ -25,7 +25,7 @@ constexpr std::size_t kBlock = 2 + 2 * kChannels;  // begun, time of the last re
 
 EffectDescription SensorLag::describe() const {
   return {
-      .summary = "First-order lag of a sensor's readings, as of a filter",
+      .summary = "First-order lag of a sensor's readings, such as a filter",
       .equation = "time*dy/dt = x - y",
       .literature = "K. J. Astrom, R. M. Murray, Feedback Systems, Princeton University Press 2008, section 5.3",
       .regime = "fast motion",

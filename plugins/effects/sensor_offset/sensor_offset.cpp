@@ -16,11 +16,11 @@ EffectDescription SensorOffset::describe() const {
   return {.summary = "A constant added to a sensor's readings",
           .equation = "y = x + offset",
           .literature = "JCGM 200:2012, International Vocabulary of Metrology, 4.20",
-          .regime = "rest: the reading is off by the same amount everywhere",
+          .regime = "rest: the reading has the same error at every position",
           .look_alikes = {"mount_tilt", "command_offset", "joint_offset_torque"},
           .placements = {ElementKind::sensor},
           .parameters = {{"offset", "{channel}", 0.0, -10000.0, 10000.0, Scale::linear,
-                          "What is added, to every channel of the sensor"}}};
+                          "Added constant, for every channel of the sensor"}}};
 }
 
 void SensorOffset::sense(std::span<double> channels, int, const StepView&, const EffectContext& context,

@@ -21,7 +21,7 @@ enum Parameter : std::size_t { kLower, kUpper };
 }  // namespace
 
 EffectDescription SensorSaturation::describe() const {
-  return {.summary = "A sensor that cannot read beyond its range",
+  return {.summary = "A sensor with a limited range",
           .equation = "y = min(upper, max(lower, x))",
           .literature = "JCGM 200:2012, International Vocabulary of Metrology, 4.7",
           .regime = "readings at the ends of the range",

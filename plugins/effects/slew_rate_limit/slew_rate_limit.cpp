@@ -17,13 +17,13 @@ class SlewRateLimit : public PhysicalEffect {
 };
 
 EffectDescription SlewRateLimit::describe() const {
-  return {.summary = "A limit to how quickly an actuator follows its command",
+  return {.summary = "A limit on how fast an actuator follows its command",
           .equation = "|du_out/dt| <= rate",
           .literature = "J.-J. E. Slotine, W. Li, Applied Nonlinear Control, Prentice Hall 1991, section 5.2",
           .regime = "large quick changes of the command",
           .look_alikes = {"actuator_lag", "command_delay", "torque_saturation"},
           .placements = {ElementKind::actuator},
-          .parameters = {{"rate", "{command}/s", 1e6, 1e-6, 1e9, Scale::logarithmic, "Fastest change"}},
+          .parameters = {{"rate", "{command}/s", 1e6, 1e-6, 1e9, Scale::logarithmic, "Largest rate of change"}},
           .neutral = {1e9}};
 }
 

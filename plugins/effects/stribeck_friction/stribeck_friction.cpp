@@ -22,7 +22,7 @@ enum Parameter : std::size_t { kCoulomb, kExcess, kVelocity };
 }  // namespace
 
 EffectDescription StribeckFriction::describe() const {
-  return {.summary = "Dry friction that falls from break-away to Coulomb level as a joint begins to move",
+  return {.summary = "Dry friction that falls from break-away to Coulomb level when a joint begins to move",
           .equation = "tau = -(coulomb + excess*exp(-(v/velocity)^2))*sgn(v); at rest up to coulomb + excess",
           .literature =
               "R. Stribeck, VDI-Zeitschrift 46 (1902) 1341; B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, "
@@ -30,10 +30,12 @@ EffectDescription StribeckFriction::describe() const {
           .regime = "very slow motion, stick-slip, the first moments after a reversal",
           .look_alikes = {"coulomb_friction", "lugre_friction", "hysteresis"},
           .placements = {ElementKind::joint},
-          .parameters = {{"coulomb", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Friction when sliding fast"},
-                         {"excess", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Break-away friction beyond that"},
+          .parameters = {{"coulomb", "{force}", 0.0, 0.0, 10000.0, Scale::linear,
+                          "Coulomb friction, at high sliding speed"},
+                         {"excess", "{force}", 0.0, 0.0, 10000.0, Scale::linear,
+                          "Break-away friction minus Coulomb friction"},
                          {"velocity", "{position}/s", 0.05, 1e-6, 1000.0, Scale::logarithmic,
-                          "Velocity over which the excess falls"}},
+                          "Velocity at which the excess has decayed"}},
           .dissipative = true};
 }
 

@@ -29,17 +29,17 @@ enum Memory : std::size_t { kHeat, kSince, kCommand, kSize };
 
 EffectDescription ThermalFade::describe() const {
   return {
-      .summary = "An actuator that gets weaker as it gets warm",
+      .summary = "An actuator that weakens as it warms up",
       .equation = "u_out = u/(1 + heat), time*dheat/dt = fade*u^2 - heat",
       .literature =
           "J. R. Hendershot, T. J. E. Miller, Design of Brushless Permanent-Magnet Machines, Motor Design Books 2010, "
           "chapter 14",
-      .regime = "long trials under load: the end is weaker than the beginning",
+      .regime = "long trials under load: the actuator is weaker at the end than at the beginning",
       .look_alikes = {"torque_gain", "viscous_friction"},
       .placements = {ElementKind::actuator},
-      .parameters = {{"fade", "1/{command}^2", 0.0, 0.0, 1e6, Scale::linear,
-                      "Loss that a command leads to in the end, per squared command"},
-                     {"time", "s", 60.0, 0.1, 100000.0, Scale::logarithmic, "Time constant of warming and cooling"}}};
+      .parameters = {
+          {"fade", "1/{command}^2", 0.0, 0.0, 1e6, Scale::linear, "Final loss of force, per squared command"},
+          {"time", "s", 60.0, 0.1, 100000.0, Scale::logarithmic, "Time constant of warming and cooling"}}};
 }
 
 void ThermalFade::amend(RobotSpec& robot, const EffectContext& context) const {

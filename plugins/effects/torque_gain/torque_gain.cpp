@@ -11,13 +11,13 @@ class TorqueGain : public PhysicalEffect {
 };
 
 EffectDescription TorqueGain::describe() const {
-  return {.summary = "An actuator's force is larger or smaller than it should be, by a constant factor",
+  return {.summary = "Actuator force that is too large or too small by a constant factor",
           .equation = "tau_out = gain*tau",
           .literature = "M. Gautier, S. Briot, J. Dynamic Systems, Measurement, and Control 136 (2014) 051025",
-          .regime = "everything that the motor does",
+          .regime = "all motion that the motor drives",
           .look_alikes = {"payload", "armature", "load_friction"},
           .placements = {ElementKind::actuator},
-          .parameters = {{"gain", "1", 1.0, 0.01, 100.0, Scale::logarithmic, "Force over what it should be"}}};
+          .parameters = {{"gain", "1", 1.0, 0.01, 100.0, Scale::logarithmic, "Actual force over nominal force"}}};
 }
 
 void TorqueGain::amend(RobotSpec& robot, const EffectContext& context) const {

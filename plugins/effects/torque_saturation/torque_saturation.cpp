@@ -13,7 +13,7 @@ class TorqueSaturation : public PhysicalEffect {
 };
 
 EffectDescription TorqueSaturation::describe() const {
-  return {.summary = "A limit to the force that an actuator exerts",
+  return {.summary = "A limit on the force of an actuator",
           .equation = "tau_out = min(limit, max(-limit, tau))",
           .literature = "K. J. Astrom, R. M. Murray, Feedback Systems, Princeton University Press 2008, section 10.4",
           .regime = "large commands",

@@ -32,7 +32,7 @@ double velocity_of(const StepView& view, const EffectContext& context, std::size
 }  // namespace
 
 EffectDescription TorqueSpeedLine::describe() const {
-  return {.summary = "A motor whose largest force falls with its speed, as its voltage is limited",
+  return {.summary = "A motor whose largest force falls with its speed because its voltage is limited",
           .equation = "-stall*(1 + v/no_load) <= tau <= stall*(1 - v/no_load)",
           .literature = "A. Hughes, B. Drury, Electric Motors and Drives, Newnes 2013, chapter 3",
           .regime = "large commands at high speed",
@@ -41,7 +41,7 @@ EffectDescription TorqueSpeedLine::describe() const {
           .parameters = {
               {"stall", "{force}", 10000.0, 1e-6, 1e6, Scale::logarithmic, "Largest force at rest, at the joint"},
               {"no_load", "{position}/s", 1000.0, 0.001, 1e6, Scale::logarithmic,
-               "Velocity of the joint at which no force is left"}}};
+               "Velocity of the joint at which the largest force is zero"}}};
 }
 
 void TorqueSpeedLine::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -12,10 +12,10 @@ class ViscousFriction : public PhysicalEffect {
 };
 
 EffectDescription ViscousFriction::describe() const {
-  return {.summary = "Friction in a joint that grows with its velocity",
+  return {.summary = "Friction in a joint, proportional to its velocity",
           .equation = "tau = -damping*v",
           .literature = "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083-1138",
-          .regime = "fast motion; a free swing that dies away by the same share in every period",
+          .regime = "fast motion; a free swing that decays by the same share in each period",
           .look_alikes = {"linear_drag", "torque_speed_line", "quadratic_damping"},
           .placements = {ElementKind::joint},
           .parameters = {{"damping", "{force}*s/{position}", 0.0, 0.0, 1e4, Scale::linear,

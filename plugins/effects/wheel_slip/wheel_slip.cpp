@@ -12,10 +12,10 @@ class WheelSlip : public PhysicalEffect {
 };
 
 EffectDescription WheelSlip::describe() const {
-  return {.summary = "Contacts that creep in proportion to the tangential force, as tyres do",
+  return {.summary = "Contacts that creep in proportion to the tangential force, like tyres",
           .equation = "v_slip = creep*F_t",
           .literature = "H. B. Pacejka, Tyre and Vehicle Dynamics, Butterworth-Heinemann 2012, chapter 1",
-          .regime = "driving and braking: less way than the wheels turn",
+          .regime = "driving and braking: the robot travels less than its wheels roll",
           .look_alikes = {"contact_friction", "sensor_scale", "torque_gain"},
           .placements = {ElementKind::world},
           .parameters = {{"creep", "m/(N*s)", 0.0, 0.0, 10.0, Scale::linear,

@@ -58,10 +58,10 @@ double duration_of(const TestSpace& space, std::span<const double> parameters) {
 }
 
 void check_ranges(const TestSpace& space) {
-  if (space.actuators.empty()) throw Error("the robot has no actuator that could be given commands");
+  if (space.actuators.empty()) throw Error("the robot has no actuator for commands");
   for (std::size_t a = 0; a < space.actuators.size(); ++a)
     if (!std::isfinite(space.lower[a]) || !std::isfinite(space.upper[a]) || space.lower[a] > space.upper[a])
-      throw Error("there is no finite range of commands for the actuator \"" + space.actuators[a].name +
+      throw Error("no finite command range for the actuator \"" + space.actuators[a].name +
                   "\"; give it command_lower and command_upper");
 }
 
@@ -71,7 +71,7 @@ void check_band(const TestSpace& space, std::span<const double> parameters) {
   const double fastest = 1.0 / (kLeastCommands * interval_of(space, parameters));
   if (parameters[kHighest] > fastest)
     throw Error("highest_frequency = " + std::to_string(parameters[kHighest]) +
-                " Hz leaves less than four commands a period; give it " + std::to_string(fastest) +
+                " Hz leaves fewer than four commands per period; give it " + std::to_string(fastest) +
                 " Hz at most, or shorten the control period");
 }
 
@@ -87,18 +87,18 @@ std::vector<double> waveform(double shape, const WaveformTask& task) {
 }  // namespace
 
 std::string CommandSeriesEncoding::summary() const {
-  return "Command series within the actuators' limits: a multisine, steps, a chirp or a triangle on each";
+  return "Command series within the actuators' limits: a multisine, steps, a chirp or a triangle for each";
 }
 
 ParameterDeclarations CommandSeriesEncoding::parameters() const {
   return {
-      {"amplitude", "1", 1.0, 0.001, 1.0, Scale::linear, "Largest amplitude, a share of half the range of commands"},
+      {"amplitude", "1", 1.0, 0.001, 1.0, Scale::linear, "Largest amplitude, as a share of half the range of commands"},
       {"offset", "1", 0.25, 0.0, 2.0, Scale::linear,
-       "How far the centre may be off the resting command, a share of half the range"},
+       "Largest distance of the centre from the resting command, as a share of half the range"},
       {"lowest_frequency", "Hz", 0.1, 1e-4, 1e4, Scale::logarithmic, "Lower end of the band"},
       {"highest_frequency", "Hz", 5.0, 1e-4, 1e4, Scale::logarithmic, "Upper end of the band"},
       {"duration", "s", 0.0, 0.0, 1e5, Scale::linear,
-       "Length of a test, where it is to be shorter than others; 0: it is not"},
+       "Length of a test that is shorter than the others; 0: the common length"},
       {"interval", "s", 0.0, 0.0, 10.0, Scale::linear, "Time between commands, at least the control period"}};
 }
 

@@ -40,7 +40,7 @@ constexpr std::array<const char*, kGenesPerPart> kGeneNames = {"parent", "end", 
 constexpr double kVertical = 1e-6;  // sine of the angle to the vertical
 
 void check_robot(const RobotSpec& robot) {
-  const std::string needs = "; the encoding places cylinders, each of them but the first on a hinge of its own";
+  const std::string needs = "; the encoding places cylinders, each but the first on its own hinge";
   if (robot.bodies.size() < 2) throw Error("the robot has fewer than two parts" + needs);
   if (robot.joints.size() != robot.bodies.size() - 1)
     throw Error("the robot has " + std::to_string(robot.joints.size()) + " joints for " +
@@ -60,7 +60,7 @@ void check_free(const RobotSpec& robot, const std::vector<FreeParameter>& free) 
     for (const FreeParameter& parameter : free)
       if (sensor.kind == SensorKind::touch && parameter.address == "sensor." + sensor.name + ".scale")
         throw Error("model.free names " + parameter.address +
-                    ", by which the encoding makes a touch sensor dead that no part asks for; leave it out");
+                    ", with which the encoding switches a touch sensor off where no part has one; leave it out");
 }
 
 Gene gene_of(const BodySpec& body, std::size_t which, std::span<const double> parameters) {
@@ -125,26 +125,26 @@ void lift(RobotSpec& robot) {
 }  // namespace
 
 std::string Morphology::summary() const {
-  return "Six genes a cylinder: parent, head or tail, length, two angles, touch sensor or not; builds the robot";
+  return "Six genes per cylinder: parent, head or tail, length, two angles, touch sensor or none; builds the robot";
 }
 
 ParameterDeclarations Morphology::parameters() const {
   return {{"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
           {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
           {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
-           "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
+           "Hinge axis of a part that points up or down: 1: y, motion in the sagittal plane; 0: x"},
           {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
-           "1: a robot of which something is below the ground is raised until nothing is lower than a first part that "
-           "lies; 0: it stays, and the contact pushes it out"}};
+           "1: a robot with a part below the ground is raised until no part is lower than a lying first part; 0: it "
+           "stays, and the contact pushes it out"}};
 }
 
 GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double> parameters) const {
   check_robot(space.robot);
   check_free(space.robot, space.free);
   if (parameters[kLeastLength] > parameters[kGreatestLength])
-    throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
+    throw Error("the shortest part is longer than the longest; give l_min at most l_max");
   for (const auto& [name, index] : {std::pair("vertical_axis", kVerticalAxis), std::pair("lift", kLift)})
-    if (parameters[index] != std::floor(parameters[index])) throw Error(std::string(name) + " is to be 0 or 1");
+    if (parameters[index] != std::floor(parameters[index])) throw Error(std::string(name) + " must be 0 or 1");
   GenomeLayout layout;
   for (const BodySpec& body : space.robot.bodies)
     for (std::size_t which = 0; which < kGenesPerPart; ++which)

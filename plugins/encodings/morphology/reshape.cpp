@@ -19,12 +19,12 @@ constexpr double kRootHeight = 0.0;  // m; where the robot is counts for nothing
 
 void check(const GenomeLayout& layout, std::span<const double> parameters) {
   if (layout.row != kGenesPerPart || layout.size() < 2 * kGenesPerPart)
-    throw Error("reshape varies rows of six genes, as the encoding morphology has them where model.free is empty");
+    throw Error("reshape varies rows of six genes, as made by the encoding morphology with an empty model.free");
   for (std::size_t i = 0; i < layout.size(); ++i)
     if (i % kGenesPerPart != kLengthGene && (layout.genes[i].lower != 0.0 || layout.genes[i].upper != 1.0))
-      throw Error("reshape varies lengths and genes from 0 to 1, as the encoding morphology has them");
+      throw Error("reshape varies lengths and genes from 0 to 1, as made by the encoding morphology");
   if (parameters[kCoarsest] > parameters[kFinest])
-    throw Error("coarsest is to be at most finest: both count decades below a metre");
+    throw Error("coarsest must be at most finest: both count decades below a metre");
 }
 
 /// From 10^-finest to 10^-coarsest m, each decade with the same chance.
@@ -68,17 +68,17 @@ void line_up(std::vector<Vector3d>& centres, std::size_t part, RandomStream& ran
 }  // namespace
 
 std::string Reshape::summary() const {
-  return "For morphology: hangs a part elsewhere or moves its centre; the centres of the others stay";
+  return "For morphology: attaches a part elsewhere or moves its centre; the centres of the others stay";
 }
 
 ParameterDeclarations Reshape::parameters() const {
-  return {{"reattach", "1", 0.3, 0.0, 1.0, Scale::linear, "Chance that a part is hung elsewhere"},
+  return {{"reattach", "1", 0.3, 0.0, 1.0, Scale::linear, "Probability that a part is attached elsewhere"},
           {"stretch", "1", 0.15, 0.0, 1.0, Scale::linear,
-           "Chance that otherwise the first part, whose centre is fixed, gets another length"},
+           "Probability that otherwise the first part, whose centre is fixed, gets another length"},
           {"regular", "1", 0.3, 0.0, 1.0, Scale::linear,
-           "Chance that a move takes over a coordinate or length of another part instead of being random"},
-          {"coarsest", "1", 0.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the largest move"},
-          {"finest", "1", 5.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the smallest move"}};
+           "Probability that a move copies a coordinate or length of another part instead of being random"},
+          {"coarsest", "1", 0.0, -3.0, 15.0, Scale::linear, "Decades below a metre, for the largest move"},
+          {"finest", "1", 5.0, -3.0, 15.0, Scale::linear, "Decades below a metre, for the smallest move"}};
 }
 
 Genome Reshape::vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,

@@ -14,7 +14,7 @@ class Parameters : public ModelEncoding {
                        std::span<const double> genome) const override;
 };
 
-std::string Parameters::summary() const { return "One gene a free parameter: its value in SI units"; }
+std::string Parameters::summary() const { return "One gene per free parameter: its value in SI units"; }
 
 GenomeLayout Parameters::layout(const ModelSpace& space, std::span<const double>) const {
   if (space.free.empty()) throw Error("the model has no free parameter to encode; name some under [model.free]");

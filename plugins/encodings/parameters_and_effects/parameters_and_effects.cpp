@@ -40,7 +40,7 @@ const ParameterDeclaration& at_most() {
       0.0,
       1000.0,
       Scale::linear,
-      "How many optional effects a model may have: those with the largest switches; 0: any number"};
+      "Largest number of optional effects in a model: those with the largest switches; 0: any number"};
   return declared;
 }
 
@@ -65,7 +65,7 @@ std::vector<bool> switched_on(std::span<const double> switches, std::size_t most
 }  // namespace
 
 std::string ParametersAndEffects::summary() const {
-  return "One gene a free parameter, and one an optional effect of the model: whether it is there";
+  return "One gene per free parameter, and one per optional effect: whether the model has it";
 }
 
 ParameterDeclarations ParametersAndEffects::parameters() const { return {at_most()}; }

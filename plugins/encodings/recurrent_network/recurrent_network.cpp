@@ -35,12 +35,13 @@ void check_names(const std::vector<Channel>& channels, std::size_t hidden) {
   for (const Channel& channel : channels) {
     bool taken = channel.name == kBias;
     for (std::size_t h = 0; h < hidden; ++h) taken = taken || channel.name == hidden_name(h);
-    if (taken) throw Error("\"" + channel.name + "\" is what the network calls a neuron; rename the robot's part");
+    if (taken)
+      throw Error("\"" + channel.name + "\" is a name of a neuron of the network; rename this part of the robot");
   }
 }
 
 void check_ranges(const TestSpace& space) {
-  if (space.actuators.empty()) throw Error("the robot has no actuator that a controller could drive");
+  if (space.actuators.empty()) throw Error("the robot has no actuator for a controller");
   for (std::size_t a = 0; a < space.actuators.size(); ++a)
     if (!std::isfinite(space.lower[a]) || !std::isfinite(space.upper[a]) || space.lower[a] > space.upper[a])
       throw Error("commands of the actuator \"" + space.actuators[a].name +
@@ -77,7 +78,7 @@ std::string RecurrentNetwork::summary() const {
 
 ParameterDeclarations RecurrentNetwork::parameters() const {
   return {{"hidden", "1", 3.0, 1.0, NetworkController::kMostHidden, Scale::linear, "Number of hidden neurons"},
-          {"weight_limit", "1", 1.0, 1e-3, 1e3, Scale::logarithmic, "Weights lie between minus and plus this"}};
+          {"weight_limit", "1", 1.0, 1e-3, 1e3, Scale::logarithmic, "Largest magnitude of a weight"}};
 }
 
 GenomeLayout RecurrentNetwork::layout(const TestSpace& space, std::span<const double> parameters) const {

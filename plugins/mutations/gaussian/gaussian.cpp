@@ -19,7 +19,9 @@ enum Parameter : std::size_t { kExpected, kSigma };
 
 }  // namespace
 
-std::string Gaussian::summary() const { return "Moves some genes by normal numbers, reflected at their bounds"; }
+std::string Gaussian::summary() const {
+  return "Moves some genes by normally distributed steps, reflected at their bounds";
+}
 
 ParameterDeclarations Gaussian::parameters() const {
   return {{"expected", "1", 2.0, 0.0, 1e6, Scale::linear, "Expected number of genes that are moved"},

@@ -15,7 +15,7 @@ class OnePointCrossover : public MutationOperator {
 };
 
 std::string OnePointCrossover::summary() const {
-  return "The first genes of one parent and the rest of another, cut at random";
+  return "The first genes of one parent and the rest of another, with a random cut";
 }
 
 Genome OnePointCrossover::vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double>,

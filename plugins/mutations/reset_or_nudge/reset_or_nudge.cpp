@@ -38,21 +38,22 @@ double nudged(const Gene& gene, double value, double move, bool clips) {
 }  // namespace
 
 std::string ResetOrNudge::summary() const {
-  return "Gives one gene a new uniform value or moves it a little, by steps of all sizes";
+  return "Gives one gene a new uniform value or moves it by a step of random size";
 }
 
 ParameterDeclarations ResetOrNudge::parameters() const {
-  return {{"reset", "1", 0.5, 0.0, 1.0, Scale::linear, "Chance of a new value; otherwise the gene moves"},
-          {"coarsest", "1", 1.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range of the largest move"},
-          {"finest", "1", 7.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range of the smallest move"},
-          {"clip", "1", 1.0, 0.0, 1.0, Scale::linear, "1: a move beyond a bound ends at it; 0: it is reflected there"}};
+  return {
+      {"reset", "1", 0.5, 0.0, 1.0, Scale::linear, "Probability of a new value; otherwise the gene moves"},
+      {"coarsest", "1", 1.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range, for the largest move"},
+      {"finest", "1", 7.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range, for the smallest move"},
+      {"clip", "1", 1.0, 0.0, 1.0, Scale::linear, "Moves beyond a bound: 1: end at the bound; 0: are reflected there"}};
 }
 
 Genome ResetOrNudge::vary(std::span<const Genome> parents, const GenomeLayout& layout,
                           std::span<const double> parameters, RandomStream& random) const {
   if (parameters[kCoarsest] > parameters[kFinest])
-    throw Error("coarsest is to be at most finest: both count decades below the gene's range");
-  if (parameters[kClip] != std::floor(parameters[kClip])) throw Error("clip is to be 0 or 1");
+    throw Error("coarsest must be at most finest: both count decades below the gene's range");
+  if (parameters[kClip] != std::floor(parameters[kClip])) throw Error("clip must be 0 or 1");
   Genome child = parents.front();
   const std::size_t place = random.index(child.size());
   const Gene& gene = layout.genes[place];

@@ -12,7 +12,9 @@ class UniformReset : public MutationOperator {
               RandomStream& random) const override;
 };
 
-std::string UniformReset::summary() const { return "Gives some genes new values, uniform within their bounds"; }
+std::string UniformReset::summary() const {
+  return "Gives some genes new values, uniformly distributed within their bounds";
+}
 
 ParameterDeclarations UniformReset::parameters() const {
   return {{"expected", "1", 2.0, 0.0, 1e6, Scale::linear, "Expected number of genes with a new value"}};

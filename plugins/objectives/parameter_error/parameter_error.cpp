@@ -84,7 +84,7 @@ std::vector<bool> present_values(const ModelSpace& space, const ModelProposal& m
 }  // namespace
 
 std::string ParameterError::summary() const {
-  return "|value - truth| of each free parameter, its mean for each kind of parameter, and how many effects are wrong";
+  return "value - truth| of each free parameter, its mean for each kind of parameter, and the number of wrong effects";
 }
 
 std::vector<ObjectiveScore> ParameterError::score(const ModelSpace& space, const ModelProposal& model,
@@ -92,7 +92,8 @@ std::vector<ObjectiveScore> ParameterError::score(const ModelSpace& space, const
   const std::span<const double> truth = hidden.values;
   if (model.values.size() != space.free.size() || truth.size() != space.free.size())
     throw Error("a model of " + std::to_string(model.values.size()) + " values and a truth of " +
-                std::to_string(truth.size()) + " do not fit " + std::to_string(space.free.size()) + " free parameters");
+                std::to_string(truth.size()) + " do not match " + std::to_string(space.free.size()) +
+                " free parameters");
   const std::vector<bool> present = present_values(space, model);
   std::vector<ObjectiveScore> scores;
   std::vector<Group> groups;

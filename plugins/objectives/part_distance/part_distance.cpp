@@ -26,7 +26,7 @@ std::vector<ObjectiveScore> PartDistance::score(const ModelSpace& space, const M
   const RobotSpec& found = model.robot ? *model.robot : space.robot;
   if (found.bodies.size() != truth.robot.bodies.size() || found.bodies.empty())
     throw Error("a model of " + std::to_string(found.bodies.size()) + " parts cannot be compared with a target of " +
-                std::to_string(truth.robot.bodies.size()) + "; both are to have the same number");
+                std::to_string(truth.robot.bodies.size()) + "; both must have the same number");
   std::vector<ObjectiveScore> scores;
   double sum = 0.0;
   for (std::size_t i = 0; i < found.bodies.size(); ++i) {

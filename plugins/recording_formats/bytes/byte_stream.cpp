@@ -13,7 +13,8 @@ constexpr std::size_t kPiece = std::size_t{1} << 16;
 
 RandomFile::RandomFile(const std::string& path) : file_(std::fopen(path.c_str(), "rb")) {
   if (!file_) throw BadFile(std::string("cannot be opened: ") + std::strerror(errno));
-  if (::fseeko(file_.get(), 0, SEEK_END) != 0) throw BadFile("cannot be read from any place in it; name a file");
+  if (::fseeko(file_.get(), 0, SEEK_END) != 0)
+    throw BadFile("is not a file that can be read from any position; name a file");
   size_ = place_ = static_cast<std::uint64_t>(::ftello(file_.get()));
 }
 
@@ -24,7 +25,7 @@ std::size_t RandomFile::read_at(std::uint64_t place, unsigned char* into, std::s
     throw BadFile(std::string("cannot be read: ") + std::strerror(errno));
   const std::size_t got = std::fread(into, 1, count, file_.get());
   if (got < count && std::ferror(file_.get()))
-    throw BadFile(std::string("cannot be read to its end: ") + std::strerror(errno));
+    throw BadFile(std::string("cannot be read completely: ") + std::strerror(errno));
   place_ = place + got;
   return got;
 }
@@ -34,7 +35,7 @@ ByteStream::ByteStream(RandomFile& file, std::uint64_t place, std::uint64_t size
   if (!is_packed_) return;
   packed_.resize(kPiece);
   if (inflateInit2(&inflater_, packing == Packing::deflate ? -MAX_WBITS : MAX_WBITS) != Z_OK)
-    throw BadFile("cannot be inflated: there is no memory");
+    throw BadFile("cannot be decompressed: not enough memory");
 }
 
 ByteStream::~ByteStream() {
@@ -75,7 +76,7 @@ std::size_t ByteStream::inflate_some(unsigned char* into, std::size_t count) {
     if (result == Z_STREAM_END)
       ended_ = true;
     else if (result != Z_OK && result != Z_BUF_ERROR)
-      throw BadFile("its compressed data are damaged; copy the file again or write it anew");
+      throw BadFile("its compressed data are damaged; copy the file again or record it anew");
   }
   return wanted - inflater_.avail_out;
 }

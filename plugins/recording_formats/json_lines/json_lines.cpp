@@ -7,7 +7,7 @@ namespace {
 
 class JsonLines : public RecordingFormat {
  public:
-  std::string summary() const override { return "JSON Lines: one object a line, columns by path"; }
+  std::string summary() const override { return "JSON Lines: one object per line, columns by path"; }
   std::vector<std::string> endings() const override { return {".jsonl", ".ndjson"}; }
   RecordingContents contents(const std::string& file) const override { return json_lines::contents_of(file); }
   ReadRows read(const std::string& file, const std::vector<TableQuery>& queries) const override {

@@ -36,16 +36,16 @@ class Rows {
  private:
   bool read(std::string_view line, ValueTree& tree) {
     if (line.find('\0') != line.npos)
-      return refuse("has zero bytes, as a logger leaves that lost its power; cut the file off above this line");
+      return refuse("has zero bytes, as after a power loss of the logger; delete the file from this line on");
     const std::string fault = parser_.read(line, tree);
     if (!fault.empty() && file_.at_cut_end()) {
-      doubts_.push_back({line_number(), "the file breaks off in its last line, which is left out"});
+      doubts_.push_back({line_number(), "the file ends in the middle of its last line, which is left out"});
       return false;
     }
-    if (!fault.empty()) return refuse("is no JSON: " + fault + "; one whole object should stand on each line");
+    if (!fault.empty()) return refuse("is not JSON: " + fault + "; each line must contain one complete object");
     const ValueTree::Kind kind = tree.nodes().front().kind;
     if (kind == ValueTree::Kind::object || kind == ValueTree::Kind::list) return true;
-    return refuse("is a single value; one whole object should stand on each line");
+    return refuse("is a single value; each line must contain one complete object");
   }
 
   bool refuse(const std::string& reason) {

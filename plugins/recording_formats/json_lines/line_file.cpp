@@ -23,14 +23,15 @@ bool LineFile::fill() {
     start_ = 0;
   }
   if (filled_ > kLongestLine) {
-    fault_ = "line " + std::to_string(number_ + 1) + " is longer than 16 MiB: write one object a line, of one sample";
+    fault_ =
+        "line " + std::to_string(number_ + 1) + " is longer than 16 MiB: write one object per line, with one sample";
     return false;
   }
   if (buffer_.size() < filled_ + kPiece) buffer_.resize(filled_ + kPiece);
   const std::size_t got = std::fread(buffer_.data() + filled_, 1, kPiece, file_.get());
   filled_ += got;
   if (got == 0) ended_ = true;
-  if (got == 0 && std::ferror(file_.get())) fault_ = std::string("cannot be read to its end: ") + std::strerror(errno);
+  if (got == 0 && std::ferror(file_.get())) fault_ = std::string("cannot be read completely: ") + std::strerror(errno);
   return got > 0;
 }
 

@@ -43,18 +43,18 @@ MatTag MatReader::read_tag() {
   tag.type = static_cast<MatType>(tag.is_small ? first & 0xffff : first);
   tag.size = tag.is_small ? first >> 16 : bits_of(bytes.data() + 4, 4, is_big_endian_);
   if (tag.is_small && tag.size > tag.small.size())
-    throw BadFile("has a small data element of " + std::to_string(tag.size) + " bytes, which has 4 at most");
+    throw BadFile("has a small data element of " + std::to_string(tag.size) + " bytes, but at most 4 are allowed");
   std::copy(bytes.begin() + 4, bytes.end(), tag.small.begin());
   if (!tag.is_small && tag.size > left_)
     throw BadFile("has a data element of " + std::to_string(tag.size) + " bytes where " + std::to_string(left_) +
-                  " are left; the file breaks off or is damaged");
+                  " are left; the file is incomplete or damaged");
   return tag;
 }
 
 std::vector<unsigned char> MatReader::read_data(const MatTag& tag, std::size_t most) {
   if (tag.size > most)
     throw BadFile("has " + std::to_string(tag.size) + " bytes of description where at most " + std::to_string(most) +
-                  " make sense");
+                  " are allowed");
   if (tag.is_small) return {tag.small.begin(), tag.small.begin() + static_cast<std::ptrdiff_t>(tag.size)};
   std::vector<unsigned char> data(static_cast<std::size_t>(tag.size));
   take(data.data(), data.size());
@@ -92,13 +92,12 @@ void MatReader::read_numbers(const MatTag& tag, const std::function<void(std::ui
 }
 
 std::uint64_t MatReader::number_at(const std::vector<unsigned char>& data, std::size_t place) const {
-  if (place + 4 > data.size()) throw BadFile("describes a variable in too few bytes");
+  if (place + 4 > data.size()) throw BadFile("has too few bytes for the description of a variable");
   return bits_of(data.data() + place, 4, is_big_endian_);
 }
 
 void MatReader::take(unsigned char* into, std::size_t count) {
-  if (count > left_ || stream_.read(into, count) < count)
-    throw BadFile("breaks off within a variable; copy the file again");
+  if (count > left_ || stream_.read(into, count) < count) throw BadFile("ends within a variable; copy the file again");
   left_ -= count;
 }
 

@@ -147,7 +147,7 @@ RecordingContents contents_from(ContentsVisitor visitor) {
       for (std::uint64_t column = 0; column < layout.columns; ++column) names.add(column_name(array, layout, column));
     } else if (length_of(array) > 1) {
       contents.remarks.push_back({0, "`" + array.path + "` is left out: it has " + std::to_string(array.rows) + " × " +
-                                         std::to_string(array.columns) + " numbers where the others have " +
+                                         std::to_string(array.columns) + " numbers, but the others have " +
                                          std::to_string(samples) + " samples"});
     }
   }

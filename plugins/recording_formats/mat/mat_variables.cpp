@@ -36,7 +36,7 @@ struct ArrayHead {
   std::uint64_t elements() const {
     std::uint64_t count = 1;
     for (const std::uint64_t size : sizes)
-      if (__builtin_mul_overflow(count, size, &count)) throw BadFile("has an array with more elements than can be");
+      if (__builtin_mul_overflow(count, size, &count)) throw BadFile("has an array with too many elements");
     return count;
   }
 };
@@ -44,15 +44,15 @@ struct ArrayHead {
 /// Why an array is none of numbers; empty: it is one.
 std::string why_no_numbers(const ArrayHead& head) {
   switch (head.kind()) {
-    case MatClass::cell: return "is a cell array; put what is recorded into plain arrays";
+    case MatClass::cell: return "is a cell array; store the recording in plain arrays";
     case MatClass::text: return "is text";
-    case MatClass::sparse: return "is sparse; write full(...) of it";
+    case MatClass::sparse: return "is sparse; store full(...) of it";
     default: break;
   }
   const bool has_numbers = head.kind() >= MatClass::real64 && head.kind() <= MatClass::uint64;
   if (has_numbers && head.sizes.size() != 2) return "has more than two dimensions";
   if (has_numbers) return (head.flags & kComplex) != 0 ? "is complex" : "";
-  return "is an object, as a timeseries or a Simulink dataset is; save its times and its data as plain arrays";
+  return "is an object, such as a timeseries or a Simulink dataset; store its times and data as plain arrays";
 }
 
 /// Reads the variables of one file.
@@ -64,11 +64,12 @@ class VariableReader {
     read_header();
     std::uint64_t place = kHeader;
     while (place < file_.size()) {
-      if (file_.size() - place < 8) throw BadFile("breaks off behind its last variable; copy the file again");
+      if (file_.size() - place < 8)
+        throw BadFile("ends after its last variable without an end mark; copy the file again");
       ByteStream stream(file_, place, file_.size() - place, Packing::none);
       MatReader reader(stream, is_big_endian_, file_.size() - place);
       const MatTag tag = reader.read_tag();
-      if (tag.is_small) throw BadFile("has a small data element where a variable should be; the file is damaged");
+      if (tag.is_small) throw BadFile("has a small data element instead of a variable; the file is damaged");
       read_element(tag, place + 8);
       place += 8 + tag.size;
     }
@@ -83,7 +84,7 @@ class VariableReader {
       throw BadFile("is a MAT file of version 7.3, which is HDF5; write it with save('run.mat', ..., '-v7')");
     const std::string_view order = got == kHeader ? text.substr(126, 2) : std::string_view();
     if (order != "IM" && order != "MI")
-      throw BadFile("is no MAT file of version 5; write it with save('run.mat', ..., '-v7')");
+      throw BadFile("is not a MAT file of version 5; write it with save('run.mat', ..., '-v7')");
     is_big_endian_ = order == "MI";
     const unsigned version = is_big_endian_ ? header[124] : header[125];
     if (version != 1) throw BadFile("is a MAT file of another version; write it with save('run.mat', ..., '-v7')");
@@ -148,18 +149,18 @@ class VariableReader {
   void read_structure(MatReader& reader, const ArrayHead& head, const std::string& path, std::size_t depth) {
     if (depth == kDeepest) throw BadFile("nests structures too deeply in `" + path.substr(0, 60) + "`");
     if (head.elements() != 1) {
-      visitor_.leave_out(path, "is a list of structures; put what is recorded into one structure of arrays");
+      visitor_.leave_out(path, "is a list of structures; store the recording in one structure of arrays");
       return reader.skip_all();
     }
     const auto length_data = reader.read_data(reader.read_tag(), 4);
     const auto length = static_cast<std::size_t>(reader.number_at(length_data, 0));
-    if (length == 0 || length > kLongestName) throw BadFile("has names of fields with a length that cannot be");
+    if (length == 0 || length > kLongestName) throw BadFile("has field names of an impossible length");
     const auto names = reader.read_data(reader.read_tag(), kMostFields * 64);
     for (std::size_t at = 0; at + length <= names.size(); at += length) {
       const auto* const start = reinterpret_cast<const char*>(names.data()) + at;
       const std::string field(start, ::strnlen(start, length));
       const MatTag tag = reader.read_tag();
-      if (tag.type != MatType::matrix) throw BadFile("has a field `" + path + "." + field + "` that is no array");
+      if (tag.type != MatType::matrix) throw BadFile("has a field `" + path + "." + field + "` that is not an array");
       read_field(reader, tag, path + "." + field, depth);
     }
   }

@@ -41,14 +41,14 @@ class HeaderParser {
       take(',');
     }
     skip_space();
-    if (place_ < text_.size()) fail("goes on behind its end");
-    if (!has_type || !has_order || !has_shape) fail("lacks descr, fortran_order or shape");
+    if (place_ < text_.size()) fail("has text after its end");
+    if (!has_type || !has_order || !has_shape) fail("has no descr, fortran_order or shape");
     return std::move(header_);
   }
 
  private:
   [[noreturn]] static void fail(const std::string& what) {
-    throw BadFile("its header " + what + ", which is no header of an .npy file" + kAnew);
+    throw BadFile(", which is not a header of an .npy file " + what + ", which is no header of an .npy file" + kAnew);
   }
   void skip_space() {
     while (place_ < text_.size() && std::strchr(" \t\n\r", text_[place_]) && text_[place_] != '\0') ++place_;
@@ -73,7 +73,7 @@ class HeaderParser {
       fail("has no text at character " + std::to_string(place_ + 1));
     const char quote = text_[place_++];
     const std::size_t end = text_.find(quote, place_);
-    if (end == text_.npos) fail("breaks off in a text");
+    if (end == text_.npos) fail("ends within a text");
     const std::string found(text_.substr(place_, end - place_));
     place_ = end + 1;
     return found;
@@ -85,7 +85,7 @@ class HeaderParser {
         place_ += word.size();
         return word == "True";
       }
-    fail("says neither True nor False");
+    fail("has neither True nor False");
   }
   std::uint64_t number() {
     skip_space();
@@ -121,12 +121,12 @@ class HeaderParser {
       return scalar->size;
     }
     if (description == "|O" || description == "O")
-      throw BadFile(std::string("holds Python objects, which are not read; save arrays of numbers"));
+      throw BadFile(std::string("contains Python objects, which cannot be read; save arrays of numbers"));
     const auto size = size_of_type(description);
     if (!size) fail("has the type \"" + description.substr(0, 40) + "\"");
     const bool is_gap = path.empty() || path.back() == '.';
     if (!is_gap && header_.left_out.size() < kMostNumbers) header_.left_out.push_back(path);
-    if (path.empty()) throw BadFile("holds no numbers but the type \"" + description.substr(0, 40) + "\"");
+    if (path.empty()) throw BadFile("contains no numbers but the type \"" + description.substr(0, 40) + "\"");
     return *size;
   }
 
@@ -194,7 +194,7 @@ class HeaderParser {
   }
 
   void add(Field field) {
-    if (header_.fields.size() == kMostNumbers) fail("has more than 4096 numbers in an element");
+    if (header_.fields.size() == kMostNumbers) fail("has more than 4096 numbers per element");
     header_.fields.push_back(std::move(field));
   }
 
@@ -218,19 +218,19 @@ ArrayHeader read_header(ByteStream& stream) {
   std::array<unsigned char, 12> start{};
   const std::size_t got = stream.read(start.data(), 8);
   if (got < 8 || std::memcmp(start.data(), kMagic.data(), kMagic.size()) != 0)
-    throw BadFile(std::string("is no .npy file: it does not begin with \\x93NUMPY") + kAnew);
+    throw BadFile(std::string("is not an .npy file: it does not begin with \\x93NUMPY") + kAnew);
   const unsigned version = start[6];
   if (version < 1 || version > 3)
-    throw BadFile("has version " + std::to_string(version) + " of the .npy format, of which 1 to 3 are known");
+    throw BadFile("has version " + std::to_string(version) + " of the .npy format; only 1 to 3 can be read");
   const std::size_t width = version == 1 ? 2 : 4;
   std::size_t length = 0;
-  if (stream.read(start.data() + 8, width) < width) throw BadFile("breaks off in its header; copy the file again");
+  if (stream.read(start.data() + 8, width) < width) throw BadFile("ends within its header; copy the file again");
   for (std::size_t i = width; i-- > 0;) length = length << 8 | start[8 + i];
   if (length > kLongestHeader)
-    throw BadFile("says that its header has " + std::to_string(length) + " bytes, more than 1 MiB" + kAnew);
+    throw BadFile("states a header of " + std::to_string(length) + " bytes, more than 1 MiB" + kAnew);
   std::string text(length, '\0');
   if (stream.read(reinterpret_cast<unsigned char*>(text.data()), length) < length)
-    throw BadFile("breaks off in its header; copy the file again");
+    throw BadFile("ends within its header; copy the file again");
   return parse_header(text);
 }
 

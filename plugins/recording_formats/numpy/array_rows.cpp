@@ -41,8 +41,7 @@ std::vector<WantedField> wanted_fields(const ArrayHeader& header, const std::str
 }
 
 [[noreturn]] void throw_short(std::uint64_t got, std::uint64_t rows) {
-  throw BadFile("breaks off after " + std::to_string(got) + " of " + std::to_string(rows) +
-                " rows; copy the file again");
+  throw BadFile("ends after " + std::to_string(got) + " of " + std::to_string(rows) + " rows; copy the file again");
 }
 
 /// Rows one after another.

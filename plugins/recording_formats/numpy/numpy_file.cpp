@@ -58,9 +58,9 @@ std::string why_none(const ArrayHeader& header) {
   if (header.shape.empty()) return "is a single value";
   if (header.rows() == 0) return "has no rows";
   if (std::find(header.shape.begin(), header.shape.end(), 0) != header.shape.end()) return "has no columns";
-  if (header.row_elements() == 0) return "has more than 4096 numbers in a row";
-  if (header.fields.empty()) return "holds no numbers";
-  if (header.row_elements() * header.fields.size() > kMostNumbers) return "has more than 4096 numbers in a row";
+  if (header.row_elements() == 0) return "has more than 4096 numbers per row";
+  if (header.fields.empty()) return "contains no numbers";
+  if (header.row_elements() * header.fields.size() > kMostNumbers) return "has more than 4096 numbers per row";
   if (header.row_elements() * header.element_size > kLargestRow) return "has rows of more than 16 MiB";
   return {};
 }
@@ -105,7 +105,7 @@ OpenedArrays open_arrays(RandomFile& file) {
     if (reason.empty())
       all.push_back(std::move(array));
     else if (array.name.empty())
-      throw BadFile(reason + ", so it is no recording");
+      throw BadFile(reason + ", so it is not a recording");
     else
       opened.remarks.push_back({0, "array `" + array.name + "` is left out: it " + reason});
   }
@@ -115,7 +115,7 @@ OpenedArrays open_arrays(RandomFile& file) {
       opened.arrays.push_back(std::move(array));
     else
       opened.remarks.push_back({0, "array `" + array.name + "` is left out: it has " +
-                                       std::to_string(array.header.rows()) + " rows where the others have " +
+                                       std::to_string(array.header.rows()) + " rows, but the others have " +
                                        std::to_string(rows)});
   }
   return opened;
@@ -127,9 +127,9 @@ void check_end(ByteStream& stream, const Array& array) {
   std::size_t behind = 0;
   while (const std::size_t got = stream.read(piece.data(), piece.size())) behind += got;
   if (behind > 0 && !array.name.empty())
-    throw BadFile("goes on behind its last row; write the file again with numpy.savez");
+    throw BadFile("continues after its last row; write the file again with numpy.savez");
   if (!array.name.empty() && stream.checksum() != array.member.checksum)
-    throw BadFile("is damaged: its checksum is another; copy the file again or write it anew");
+    throw BadFile("is damaged: its checksum is wrong; copy the file again or write it anew");
 }
 
 void read_array(RandomFile& file, const Array& array, std::size_t most_rows,

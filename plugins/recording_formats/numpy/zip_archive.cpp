@@ -24,7 +24,7 @@ std::uint64_t number(Bytes bytes, std::size_t place, std::size_t width) {
 }
 
 [[noreturn]] void throw_damaged(const char* what) {
-  throw BadFile(std::string("is no whole .npz file: ") + what + "; copy the file again or write it anew");
+  throw BadFile(std::string("is not a complete .npz file: ") + what + "; copy the file again or write it anew");
 }
 
 std::vector<unsigned char> bytes_at(RandomFile& file, std::uint64_t place, std::size_t count, const char* what) {
@@ -41,10 +41,10 @@ struct Directory {
 /// Where the ZIP64 record says that it is, if there is one.
 void take_zip64(RandomFile& file, std::uint64_t end_place, Directory& directory) {
   if (end_place < kLocatorSize) return;
-  const auto locator = bytes_at(file, end_place - kLocatorSize, kLocatorSize, "its end breaks off");
+  const auto locator = bytes_at(file, end_place - kLocatorSize, kLocatorSize, "its end is incomplete");
   if (number(locator, 0, 4) != kLocatorSign) return;
-  const auto record = bytes_at(file, number(locator, 8, 8), kEnd64Size, "its ZIP64 record lies outside of it");
-  if (number(record, 0, 4) != kEnd64Sign) throw_damaged("its ZIP64 record is none");
+  const auto record = bytes_at(file, number(locator, 8, 8), kEnd64Size, "its ZIP64 record lies outside the file");
+  if (number(record, 0, 4) != kEnd64Sign) throw_damaged("its ZIP64 record is invalid");
   directory = {number(record, 48, 8), number(record, 40, 8)};
 }
 
@@ -52,7 +52,7 @@ Directory find_directory(RandomFile& file) {
   const auto tail_size = static_cast<std::size_t>(std::min<std::uint64_t>(file.size(), kEndSize + kLongestComment));
   if (tail_size < kEndSize) throw_damaged("it is too short");
   const std::uint64_t start = file.size() - tail_size;
-  const auto tail = bytes_at(file, start, tail_size, "it cannot be read to its end");
+  const auto tail = bytes_at(file, start, tail_size, "it cannot be read completely");
   for (std::size_t i = tail_size - kEndSize + 1; i-- > 0;) {
     if (number(tail, i, 4) != kEndSign) continue;
     Directory directory{number(tail, i + 16, 4), number(tail, i + 12, 4)};
@@ -66,11 +66,11 @@ Directory find_directory(RandomFile& file) {
 void take_extra(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
   while (extra.size() >= 4) {
     const std::size_t id = number(extra, 0, 2), size = number(extra, 2, 2);
-    if (size > extra.size() - 4) throw_damaged("an entry of its directory breaks off");
+    if (size > extra.size() - 4) throw_damaged("an entry of its directory is incomplete");
     Bytes field = extra.subspan(4, size);
     for (std::uint64_t* one : numbers) {
       if (id != 1 || *one != kIn64) continue;
-      if (field.size() < 8) throw_damaged("an entry of its directory breaks off");
+      if (field.size() < 8) throw_damaged("an entry of its directory is incomplete");
       *one = number(field, 0, 8);
       field = field.subspan(8);
     }
@@ -80,7 +80,7 @@ void take_extra(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
 
 /// The place of a member's data, behind its local header.
 std::uint64_t data_place(RandomFile& file, std::uint64_t local) {
-  const auto header = bytes_at(file, local, kLocalSize, "a member lies outside of it");
+  const auto header = bytes_at(file, local, kLocalSize, "a member lies outside the file");
   if (number(header, 0, 4) != kLocalSign) throw_damaged("a member has no header");
   return local + kLocalSize + number(header, 26, 2) + number(header, 28, 2);
 }
@@ -89,7 +89,7 @@ std::uint64_t data_place(RandomFile& file, std::uint64_t local) {
 ZipMember take_entry(RandomFile& file, Bytes& rest) {
   if (rest.size() < kEntrySize || number(rest, 0, 4) != kEntrySign) throw_damaged("its directory is damaged");
   const std::size_t name = number(rest, 28, 2), extra = number(rest, 30, 2), comment = number(rest, 32, 2);
-  if (rest.size() - kEntrySize < name + extra + comment) throw_damaged("its directory breaks off");
+  if (rest.size() - kEntrySize < name + extra + comment) throw_damaged("its directory is incomplete");
   ZipMember member;
   member.name.assign(reinterpret_cast<const char*>(rest.data()) + kEntrySize, name);
   member.checksum = static_cast<std::uint32_t>(number(rest, 16, 4));
@@ -100,12 +100,12 @@ ZipMember take_entry(RandomFile& file, Bytes& rest) {
   const auto method = number(rest, 10, 2);
   if ((number(rest, 8, 2) & kEncrypted) != 0) throw BadFile("is encrypted; write it without a password");
   if (method != 0 && method != 8)
-    throw BadFile("is compressed otherwise than numpy does it (method " + std::to_string(method) +
+    throw BadFile("is compressed with a method that numpy does not use (method " + std::to_string(method) +
                   "); write it with numpy.savez or numpy.savez_compressed");
   member.is_deflated = method == 8;
   member.place = data_place(file, local);
   if (member.place > file.size() || member.packed_size > file.size() - member.place)
-    throw_damaged("a member goes on beyond its end");
+    throw_damaged("a member continues beyond its end");
   if (!member.is_deflated && member.size != member.packed_size) throw_damaged("a stored member has two sizes");
   rest = rest.subspan(kEntrySize + name + extra + comment);
   return member;
@@ -117,7 +117,7 @@ std::vector<ZipMember> members_of(RandomFile& file) {
   const Directory directory = find_directory(file);
   if (directory.size > kLargestDirectory) throw_damaged("its directory has more than 64 MiB");
   const auto bytes =
-      bytes_at(file, directory.place, static_cast<std::size_t>(directory.size), "its directory lies outside of it");
+      bytes_at(file, directory.place, static_cast<std::size_t>(directory.size), "its directory lies outside the file");
   Bytes rest = bytes;
   std::vector<ZipMember> members;
   while (!rest.empty()) members.push_back(take_entry(file, rest));

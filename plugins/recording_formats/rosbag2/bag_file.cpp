@@ -28,7 +28,7 @@ bool is_of_programs(const std::string& topic) {
 
 std::string problem_with(const BagTopic& topic, std::size_t number, const BadBag& bad) {
   return "message " + std::to_string(number) + " of topic " + topic.name + " (" + topic.type + ") " + bad.what() +
-         "; record it anew, or leave this topic out";
+         "; record it again, or leave this topic out";
 }
 
 /// Learns what the topics of a bag have.
@@ -90,9 +90,9 @@ class ContentsReader {
     if (!text.empty()) contents_.remarks.push_back({0, "topics that are left out: " + text});
     for (const BagTopic& topic : bag.topics())
       if (topic.name.ends_with("robot_description"))
-        contents_.remarks.push_back({0, "topic " + topic.name +
-                                            " holds a robot description; its text, written to a "
-                                            ".urdf file, can be the model"});
+        contents_.remarks.push_back(
+            {0, "topic " + topic.name +
+                    " contains a robot description; save its text as a .urdf file to use it as the model"});
   }
 
   std::map<std::size_t, TopicColumns> columns_;
@@ -149,9 +149,9 @@ class RowsReader {
   void tell_clock(const std::string& topic, bool is_stamped) {
     read_.remarks.push_back(
         {0, is_stamped ? "times of " + topic +
-                             " are the stamps in its headers; for the times of recording write time.column = \"" +
+                             " are the stamps in its headers; to use the times of recording write time.column = \"" +
                              kReceived + "\""
-                       : "times of " + topic + " are those of recording: its messages have no stamps"});
+                       : "times of " + topic + " are the times of recording, because its messages have no stamps"});
   }
 
   const std::vector<TableQuery>& queries_;

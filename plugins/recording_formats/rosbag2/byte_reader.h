@@ -27,8 +27,7 @@ class ByteReader {
   }
   /// So many bytes.
   Bytes take(std::uint64_t count) {
-    if (count > rest_.size())
-      throw BadBag(std::string("has a ") + record_ + " record that says it is longer than it is");
+    if (count > rest_.size()) throw BadBag(std::string("has a ") + record_ + " record with a length beyond its end");
     const Bytes taken = rest_.first(static_cast<std::size_t>(count));
     rest_ = rest_.subspan(taken.size());
     return taken;

@@ -38,16 +38,16 @@ void CdrReader::read(Bytes message, const MessageTypes& types, ValueTree& tree) 
   read_message(0, &tree);
   tree.end();
   if (bytes_.size() - place_ > kMostPadding)
-    throw BadBag("has " + std::to_string(bytes_.size()) + " bytes where its type has " + std::to_string(place_));
+    throw BadBag("has " + std::to_string(bytes_.size()) + " bytes, but its type needs " + std::to_string(place_));
 }
 
 /// Two bytes for the encoding, two for options.
 void CdrReader::read_encapsulation() {
-  if (bytes_.size() < kEncapsulation) throw BadBag("has no beginning, the encapsulation of CDR");
+  if (bytes_.size() < kEncapsulation) throw BadBag("has no beginning (the encapsulation of CDR)");
   const unsigned encoding = static_cast<unsigned>(bytes_[0]) << 8 | bytes_[1];
   const bool is_first = encoding == 0x0000 || encoding == 0x0001, is_second = encoding == 0x0006 || encoding == 0x0007;
   if (!is_first && !is_second)
-    throw BadBag("has the encapsulation " + std::to_string(encoding) + ", which is no plain CDR");
+    throw BadBag("has the encapsulation " + std::to_string(encoding) + ", which is not plain CDR");
   is_big_endian_ = (encoding & 1U) == 0;
   widest_ = is_first ? 8 : 4;
   bytes_ = bytes_.subspan(kEncapsulation);
@@ -103,7 +103,7 @@ std::string_view CdrReader::read_text() {
   const auto* const start = reinterpret_cast<const char*>(bytes_.data()) + place_;
   place_ += length;
   if (length == 0) return {};
-  if (start[length - 1] != '\0') throw BadBag("has a text without its end at byte " + std::to_string(place_));
+  if (start[length - 1] != '\0') throw BadBag("has a text without an end at byte " + std::to_string(place_));
   return {start, length - 1};
 }
 
@@ -125,7 +125,7 @@ void CdrReader::align(std::size_t size) {
 
 void CdrReader::need(std::uint64_t size) const {
   if (size > bytes_.size() - place_)
-    throw BadBag("ends within what its type has, at byte " + std::to_string(bytes_.size()));
+    throw BadBag("is too short for its type, at byte " + std::to_string(bytes_.size()));
 }
 
 }  // namespace lacuna::rosbag2

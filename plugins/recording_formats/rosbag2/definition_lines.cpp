@@ -46,8 +46,7 @@ std::string_view take_line(std::string_view& text) {
 bool is_rule(std::string_view line) { return line.size() >= kShortestRule && line.find_first_not_of('=') == line.npos; }
 
 [[noreturn]] void throw_unread(std::string_view line) {
-  throw BadBag("the definition of a type has the line `" + std::string(line.substr(0, 60)) +
-               "`, which is not understood");
+  throw BadBag("the definition of a type has the line `" + std::string(line.substr(0, 60)) + "`, which cannot be read");
 }
 
 /// "[]", "[7]" or "[<=7]".
@@ -76,7 +75,7 @@ DefinitionLine field_of(std::string_view type, std::string_view name, std::strin
   if (known != kPrimitives.end()) {
     found.field.primitive = known->second;
   } else if (type == "wstring") {
-    throw BadBag("the type of a message has wide texts (wstring), which are not read");
+    throw BadBag("the type of a message has wide texts (wstring), which cannot be read");
   }
   found.type = type;
   return found;

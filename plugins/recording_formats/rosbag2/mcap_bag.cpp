@@ -33,11 +33,12 @@ class RecordFile {
  public:
   explicit RecordFile(const std::string& path) : file_(std::fopen(path.c_str(), "rb")) {
     if (!file_) throw BadBag(std::string("cannot be opened: ") + std::strerror(errno));
-    if (::fseeko(file_.get(), 0, SEEK_END) != 0) throw BadBag("cannot be read from any place in it; name a file");
+    if (::fseeko(file_.get(), 0, SEEK_END) != 0)
+      throw BadBag("is not a file that can be read from any position; name a file");
     size_ = static_cast<std::uint64_t>(::ftello(file_.get()));
     const Bytes magic = read(0, kMcapMagic.size());
     if (magic.size() < kMcapMagic.size() || std::memcmp(magic.data(), kMcapMagic.data(), kMcapMagic.size()) != 0)
-      throw BadBag("is no MCAP file: it does not begin with \\x89MCAP0");
+      throw BadBag("is not an MCAP file: it does not begin with \\x89MCAP0");
   }
 
   std::uint64_t size() const { return size_; }
@@ -58,7 +59,7 @@ class RecordFile {
     if (record.size > kLargestRecord)
       throw BadBag("has a record of more than 256 MiB at byte " + std::to_string(record.start));
     const Bytes content = read(record.start, record.size);
-    if (content.size() < record.size) throw BadBag(std::string("cannot be read to its end: ") + std::strerror(errno));
+    if (content.size() < record.size) throw BadBag(std::string("cannot be read completely: ") + std::strerror(errno));
     return content;
   }
 
@@ -155,9 +156,9 @@ class McapBag : public Bag {
     const std::string compression = reader.text();
     const Bytes records = pack_.unpack(reader.take(reader.number(8)), compression);
     if (records.size() != size)
-      throw BadBag("unpacks to " + std::to_string(records.size()) + " bytes where it says " + std::to_string(size));
+      throw BadBag("unpacks to " + std::to_string(records.size()) + " bytes but states " + std::to_string(size));
     if (checksum != 0 && crc32_z(0, records.data(), records.size()) != checksum)
-      throw BadBag("is damaged: its checksum is another; copy the file again");
+      throw BadBag("is damaged: its checksum is wrong; copy the file again");
     ByteReader rest(records, "chunk");
     while (!rest.rest().empty()) {
       const auto opcode = static_cast<McapOpcode>(rest.number(1));
@@ -188,8 +189,8 @@ class McapBag : public Bag {
   }
 
   void note_cut(std::uint64_t place) {
-    doubts_.push_back({0, "the file breaks off at byte " + std::to_string(place) +
-                              ", as a recorder leaves it that was killed; what stands before is read"});
+    doubts_.push_back({0, "the file ends at byte " + std::to_string(place) +
+                              ", as after an interrupted recording; the part before it is read"});
   }
 
   RecordFile file_;

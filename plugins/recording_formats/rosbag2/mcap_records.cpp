@@ -13,7 +13,7 @@ constexpr std::size_t kMostTopics = 65536;
 void McapTopics::take_schema(Bytes record) {
   ByteReader reader(record, "schema");
   const std::uint64_t id = reader.number(2);
-  if (id == 0) throw BadBag("has a schema with the number 0, which means none");
+  if (id == 0) throw BadBag("has a schema with the number 0, which is not allowed");
   Schema schema;
   schema.name = reader.text();
   schema.encoding = reader.text();
@@ -31,7 +31,7 @@ void McapTopics::take_channel(Bytes record) {
   const auto schema = schemas_.find(schema_id);
   if (schema == schemas_.end() && schema_id != 0)
     throw BadBag("has a channel, of topic " + topic.name.substr(0, 60) +
-                 ", with a schema that stands nowhere before it");
+                 ", with a schema that is not defined before it");
   if (schema != schemas_.end()) {
     topic.type = schema->second.name;
     topic.definition = schema->second.text;
@@ -65,7 +65,7 @@ void McapTopics::take_statistics(Bytes record) {
 std::size_t McapTopics::topic_of(std::uint64_t channel) const {
   const auto found = channels_.find(channel);
   if (found == channels_.end())
-    throw BadBag("has a message of channel " + std::to_string(channel) + ", which stands nowhere before it");
+    throw BadBag("has a message of channel " + std::to_string(channel) + ", which is not defined before it");
   return found->second;
 }
 

@@ -16,7 +16,7 @@ constexpr std::size_t kUnpackedPiece = std::size_t{1} << 18;
 constexpr std::array<unsigned char, 4> kZstdSign = {0x28, 0xb5, 0x2f, 0xfd};
 
 [[noreturn]] void throw_damaged(const char* compression) {
-  throw BadBag(std::string("is damaged: what was compressed with ") + compression + " cannot be unpacked");
+  throw BadBag(std::string("is damaged: data compressed with ") + compression + " cannot be unpacked");
 }
 
 }  // namespace
@@ -43,12 +43,12 @@ Bytes MessagePack::unpack(Bytes packed, std::string_view compression) {
   if (compression.empty()) return packed;
   if (compression == "zstd") return unpack_zstd(packed);
   if (compression == "lz4") return unpack_lz4(packed);
-  throw BadBag("is compressed with \"" + std::string(compression.substr(0, 40)) + "\", of which zstd and lz4 are read");
+  throw BadBag("is compressed with \"" + std::string(compression.substr(0, 40)) + "\"; only zstd and lz4 can be read");
 }
 
 /// Memory goes with what was really unpacked.
 void MessagePack::grow() {
-  if (unpacked_.size() >= kLargest) throw BadBag("holds more than 256 MiB in one piece; write it in smaller chunks");
+  if (unpacked_.size() >= kLargest) throw BadBag("contains more than 256 MiB in one piece; write it in smaller chunks");
   unpacked_.resize(std::max(kUnpackedPiece, 2 * unpacked_.size()));
 }
 
@@ -70,7 +70,7 @@ Bytes MessagePack::unpack_zstd(Bytes packed) {
 
 Bytes MessagePack::unpack_lz4(Bytes packed) {
   if (!contexts_->lz4 && LZ4F_isError(LZ4F_createDecompressionContext(&contexts_->lz4, LZ4F_VERSION)) != 0)
-    throw BadBag("cannot be unpacked: there is no memory");
+    throw BadBag("cannot be decompressed: not enough memory");
   LZ4F_resetDecompressionContext(contexts_->lz4);
   std::size_t filled = 0, place = 0, left = 1;
   while (left != 0 || place < packed.size()) {

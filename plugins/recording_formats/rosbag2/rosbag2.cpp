@@ -7,7 +7,7 @@ namespace {
 
 class Rosbag2 : public RecordingFormat {
  public:
-  std::string summary() const override { return "Bags of ROS 2 (.mcap, .db3): a table a topic, columns by path"; }
+  std::string summary() const override { return "Bags of ROS 2 (.mcap, .db3): one table per topic, columns by path"; }
   std::vector<std::string> endings() const override { return {".mcap", ".db3"}; }
   RecordingContents contents(const std::string& file) const override { return rosbag2::contents_of(file); }
   ReadRows read(const std::string& file, const std::vector<TableQuery>& queries) const override {

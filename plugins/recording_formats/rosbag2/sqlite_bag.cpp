@@ -47,7 +47,7 @@ class Question {
 
  private:
   [[noreturn]] void fail() const {
-    throw BadBag(std::string("is no bag that can be read: SQLite says ") + sqlite3_errmsg(database_) +
+    throw BadBag(std::string("cannot be read as a bag: SQLite reports ") + sqlite3_errmsg(database_) +
                  "; a rosbag2 file has the tables topics and messages");
   }
   sqlite3* database_;
@@ -100,7 +100,7 @@ class SqliteBag : public Bag {
       const auto topic = indices_.find(rows.number(0));
       if (topic == indices_.end())
         throw BadBag("has a message of topic number " + std::to_string(rows.number(0)) +
-                     ", which is not among its topics");
+                     ", which is not one of its topics");
       if (wants(topic->second) && !visit({topic->second, rows.number(1), unpacked_.unpack(rows.bytes(2))})) return;
     }
   }

@@ -11,7 +11,7 @@ TopicDecoder::TopicDecoder(const BagTopic& topic) {
   if (is_json_) return;
   if (topic.encoding != "cdr") {
     refusal_ =
-        "its messages are in the encoding \"" + topic.encoding.substr(0, 40) + "\", of which cdr and json are read";
+        "its messages are in the encoding \"" + topic.encoding.substr(0, 40) + "\"; only cdr and json can be read";
     return;
   }
   try {
@@ -20,7 +20,7 @@ TopicDecoder::TopicDecoder(const BagTopic& topic) {
     else if (topic.definition_encoding == "ros2msg")
       versions_ = {parse_definition(topic.type, topic.definition)};
     else
-      refusal_ = "its type is defined as \"" + topic.definition_encoding.substr(0, 40) + "\", of which ros2msg is read";
+      refusal_ = "its type is defined as \"" + topic.definition_encoding.substr(0, 40) + "\"; only ros2msg can be read";
   } catch (const BadBag& bad) {
     refusal_ = bad.what();
   }
@@ -30,7 +30,7 @@ TopicDecoder::TopicDecoder(const BagTopic& topic) {
 void TopicDecoder::decode(Bytes message, ValueTree& tree) {
   if (!is_json_) return decode_cdr(message, tree);
   const std::string fault = json_.read({reinterpret_cast<const char*>(message.data()), message.size()}, tree);
-  if (!fault.empty()) throw BadBag("is no JSON: " + fault);
+  if (!fault.empty()) throw BadBag("is not JSON: " + fault);
 }
 
 /// The version of the type whose messages have so many bytes.

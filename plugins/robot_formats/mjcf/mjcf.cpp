@@ -10,7 +10,7 @@ namespace {
 
 class Mjcf : public RobotFormat {
  public:
-  std::string summary() const override { return "Robots as MuJoCo describes them (MJCF)"; }
+  std::string summary() const override { return "Robots in the format of MuJoCo (MJCF)"; }
   std::vector<std::string> endings() const override { return {".mjcf", ".xml"}; }
   bool is_meant(const std::string& text) const override { return robot_files::root_name(text) == "mujoco"; }
   ReadRobot read(const RobotText& file) const override { return mjcf::read_robot(file); }

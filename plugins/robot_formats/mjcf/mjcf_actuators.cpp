@@ -26,7 +26,7 @@ class ActuatorReader {
     const auto gears = element_.numbers("gear", 1, 6);
     gear_ = gears ? gears->front() : 1.0;
     if (gear_ == 0.0) {
-      element_.element().problem("actuator's gear is 0: it drives nothing");
+      element_.element().problem("actuator's gear is 0, so it drives nothing");
       return std::nullopt;
     }
     const std::optional<Law> law = read_law();
@@ -57,7 +57,7 @@ class ActuatorReader {
     const auto found = file_.joint_of_name.find(in_parent ? *in_parent : *written);
     if (found == file_.joint_of_name.end()) {
       xml().problem("actuator " + name_ + " names the joint \"" + (in_parent ? *in_parent : *written) +
-                    "\", which there is not");
+                    "\", which does not exist");
       return false;
     }
     place_ = found->second;
@@ -76,7 +76,7 @@ class ActuatorReader {
     }
     if (kind == "position") return position_law();
     if (kind == "general") return general_law();
-    leave_out("<" + std::string(kind) + "> is none of motor, position, velocity and general");
+    leave_out("<" + std::string(kind) + "> is not motor, position, velocity or general");
     return std::nullopt;
   }
 
@@ -102,7 +102,7 @@ class ActuatorReader {
     const std::string gain_kind = element_.text_of("gaintype").value_or("fixed");
     const std::string bias_kind = element_.text_of("biastype").value_or("none");
     if (gain_kind != "fixed" || (bias_kind != "none" && bias_kind != "affine")) {
-      leave_out("its gain (" + gain_kind + ") or bias (" + bias_kind + ") is none that the program has");
+      leave_out("its gain (" + gain_kind + ") or bias (" + bias_kind + ") is not supported");
       return std::nullopt;
     }
     const std::vector<double> gain = element_.numbers("gainprm", 1, 10).value_or(std::vector<double>{1.0});
@@ -122,7 +122,7 @@ class ActuatorReader {
   bool put(const Law& law, ActuatorSpec& spec) {
     const double at_joint = gear_ * gear_;
     if (law.per_length > 0.0 || law.per_velocity > 0.0) {
-      leave_out("its force grows with position or velocity, as no servo's does");
+      leave_out("its force grows with position or velocity, unlike a servo's");
       return false;
     }
     if (law.per_length < 0.0) {
@@ -148,7 +148,7 @@ class ActuatorReader {
     if (!element_.flag(flag_name, range && file_.settings.auto_limits)) return std::nullopt;
     if (range && range->at(0) < range->at(1)) return std::pair(range->at(0), range->at(1));
     if (range && (range->at(0) != 0.0 || range->at(1) != 0.0))
-      xml().problem(std::string("actuator's ") + range_name + ": the lower bound is not below the upper one");
+      xml().problem(std::string("actuator's ") + range_name + ": the lower bound must be below the upper one");
     return std::nullopt;
   }
 
@@ -169,7 +169,7 @@ class ActuatorReader {
     if (const auto forces = limits("forcerange", "forcelimited")) {
       const double largest = std::max(std::abs(forces->first), std::abs(forces->second));
       if (forces->first != -forces->second)
-        leave_out("its forcerange is not symmetrical; the larger bound is taken for both");
+        leave_out("its forcerange is not symmetrical; the larger bound is used for both");
       spec.force_limit = std::min(spec.force_limit, largest * std::abs(gear_));
     }
   }

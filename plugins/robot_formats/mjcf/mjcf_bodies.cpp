@@ -77,7 +77,7 @@ class BodyReader {
     if (!written.empty() && !file_.body_of_name.emplace(written, index).second)
       element.problem("there are two bodies \"" + written + "\"; rename one");
     if (Attributes(element, {}).flag("mocap", false))
-      file_.remark(RobotRemarkKind::left_out, element, "mocap body " + body.name + " stands still");
+      file_.remark(RobotRemarkKind::left_out, element, "mocap body " + body.name + " does not move");
     if (element.number("gravcomp", 0.0) != 0.0)
       file_.remark(RobotRemarkKind::left_out, element, "the compensation of gravity of body " + body.name);
     file_.bodies.push_back(std::move(body));
@@ -106,7 +106,7 @@ class BodyReader {
   }
 
   void add_joint(const XmlElement& element, const Place& place) {
-    if (place.body == 0) return element.problem("the world has a joint; joints stand in bodies");
+    if (place.body == 0) return element.problem("the world has a joint; joints must be in bodies");
     Body& body = file_.bodies[place.body];
     Joint joint = read_joint(classes_.of(element, place.childclass), file_.settings, file_);
     joint.anchor = place.frame.position + place.frame.orientation * joint.anchor;
@@ -117,18 +117,18 @@ class BodyReader {
     if (!written.empty() && !file_.joint_of_name.emplace(written, std::pair(place.body, body.joints.size())).second)
       element.problem("there are two joints \"" + written + "\"; rename one");
     if (joint.kind == JointKind::free && body.parent != 0)
-      element.problem("body " + body.name + " floats, and hangs on another; a body floats in the world alone");
+      element.problem("body " + body.name + " floats but has a parent; only a body in the world can float");
     body.joints.push_back(std::move(joint));
     const bool any_free = std::any_of(body.joints.begin(), body.joints.end(),
                                       [](const Joint& one) { return one.kind == JointKind::free; });
-    if (any_free && body.joints.size() > 1) element.problem("body " + body.name + " floats and has a further joint");
+    if (any_free && body.joints.size() > 1) element.problem("body " + body.name + " floats and has another joint");
   }
 
   void read_inertial(const XmlElement& element, const Place& place) {
     if (place.body == 0) return;
     const Pose pose = place.frame * pose_of(element, file_.settings);
     RigidMass mass{element.required_number("mass"), pose.position, Eigen::Matrix3d::Zero()};
-    if (mass.mass < 0.0) element.problem("inertial's mass is below 0 kg");
+    if (mass.mass < 0.0) element.problem("inertial's mass is negative");
     Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
     const auto full = element.numbers("fullinertia", 6, 6);
     const auto diagonal = element.numbers("diaginertia", 3, 3);
@@ -175,10 +175,10 @@ class BodyReader {
     else
       body.mass->inertia = robot_files::repaired(body.mass->inertia, body.mass->mass);
     file_.remarks.push_back({RobotRemarkKind::repaired, body.line,
-                             "no body has the inertia of body " + body.name +
-                                 ": a principal moment is not above 0, or above the sum of the others; " +
-                                 (file_.settings.balance_inertia ? "their mean" : "the nearest that can be") +
-                                 " is taken",
+                             "the inertia of body " + body.name +
+                                 " is impossible: a principal moment is not above 0, or above the sum of the others; " +
+                                 (file_.settings.balance_inertia ? "their mean" : "the nearest possible one") +
+                                 " is used",
                              body.file});
   }
 
@@ -197,7 +197,7 @@ class BodyReader {
   void note_unread(const XmlElement& element) {
     static const std::set<std::string_view> kSilent = {"camera", "light", "plugin"};
     if (kSilent.contains(element.name())) return;
-    note_once(element, std::string(element.name()), "<" + std::string(element.name()) + "> in a body: it is not read");
+    note_once(element, std::string(element.name()), "<" + std::string(element.name()) + "> in a body: not read");
   }
 
   void note_once(const XmlElement& element, const std::string& what, const std::string& text) {

@@ -30,7 +30,7 @@ bool read_coupling(const Attributes& tie, const File& file, std::vector<Coupling
   const Joint* joint = joint_called(file, tie.text_of("joint1").value_or(""));
   const Joint* follows = joint_called(file, tie.text_of("joint2").value_or(""));
   if (!joint || !follows) {
-    tie.element().problem("an equality ties joints of which there is not one");
+    tie.element().problem("an equality names a joint that does not exist");
     return true;
   }
   std::vector<double> line = tie.numbers("polycoef", 1, 5).value_or(std::vector<double>{0.0, 1.0});

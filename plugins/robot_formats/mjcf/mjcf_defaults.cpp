@@ -13,7 +13,7 @@ bool Attributes::flag(const char* attribute, bool otherwise) const {
   const std::optional<std::string> text = text_of(attribute);
   if (!text || *text == "auto") return otherwise;
   if (*text == "true" || *text == "false") return *text == "true";
-  source_of(attribute).problem(std::string(attribute) + " \"" + *text + "\" is to be true, false or auto");
+  source_of(attribute).problem(std::string(attribute) + " \"" + *text + "\" must be true, false or auto");
   return otherwise;
 }
 

@@ -16,7 +16,7 @@ Document::Document(const RobotText& file, std::vector<RobotFileProblem>& problem
   const tinyxml2::XMLElement* root = parse(file.text, "");
   if (root == nullptr) return;
   if (std::string_view(root->Name()) != "mujoco") {
-    problems_.push_back({root->GetLineNum(), "is no MJCF: its root is not <mujoco>", {}});
+    problems_.push_back({root->GetLineNum(), "is not MJCF: its root is not <mujoco>", {}});
     return;
   }
   root_.emplace(*root, problems_);
@@ -29,13 +29,13 @@ const tinyxml2::XMLElement* Document::parse(const std::string& text, const std::
   const std::string readable = robot_files::without_late_declarations(text);
   part.xml.Parse(readable.data(), readable.size());
   if (const int line = robot_files::line_behind_root(part.xml); !part.xml.Error() && line > 0) {
-    problems_.push_back({line, "words stand behind the outermost element; remove them", name});
+    problems_.push_back({line, "text follows the outermost element; remove it", name});
     return nullptr;
   }
   if (!part.xml.Error() && part.xml.RootElement() != nullptr) return part.xml.RootElement();
   problems_.push_back({part.xml.ErrorLineNum(),
-                       std::string("is no whole XML document (") + part.xml.ErrorName() +
-                           "); is it cut off, nested deeper than 100 elements, or another format?",
+                       std::string("is not a complete XML document (") + part.xml.ErrorName() +
+                           "); is it incomplete, nested deeper than 100 elements, or in another format?",
                        name});
   return nullptr;
 }
@@ -57,7 +57,7 @@ void Document::include(const XmlElement& element, std::size_t depth) {
     if (!text) continue;
     if (name == file_.name || !names_.insert(name).second)
       return element.problem("include's file \"" + path +
-                             "\" is a part of this model already; a file is included once");
+                             "\" is already a part of this model; a file can be included only once");
     const tinyxml2::XMLElement* root = parse(*text, name);
     if (root == nullptr) return;
     const XmlElement part(*root, problems_, &parts_.back().name);
@@ -65,7 +65,7 @@ void Document::include(const XmlElement& element, std::size_t depth) {
     return read_includes(part, depth);
   }
   element.problem("include's file \"" + path +
-                  "\" is not in the folder of the robot file or below it; put it there, files elsewhere are not read");
+                  "\" is not in the folder of the robot file or below it; files elsewhere are not read; put it there");
 }
 
 void Document::add_children(const XmlElement& element, std::string_view name, std::vector<XmlElement>& all) const {

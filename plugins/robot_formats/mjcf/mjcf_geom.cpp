@@ -58,7 +58,7 @@ Pose between(const Attributes& geom, const std::vector<double>& ends, double& ha
   half = 0.5 * along.norm();
   Pose pose{0.5 * (from + to), Eigen::Quaterniond::Identity()};
   if (!(half > 0.0))
-    geom.element().problem("fromto names one point twice");
+    geom.element().problem("fromto has the same point twice");
   else
     pose.orientation = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along.normalized());
   return pose;
@@ -70,12 +70,12 @@ std::optional<Shape> shape_of(const Attributes& geom, const std::string& type, c
   const std::size_t wanted = sizes_of(type, ends.has_value());
   const auto written = geom.numbers("size", 1, 3);
   if (!written || written->size() < wanted) {
-    geom.element().problem(type + "'s size is to have " + std::to_string(wanted) + " numbers");
+    geom.element().problem(type + "'s size must have " + std::to_string(wanted) + " numbers");
     return std::nullopt;
   }
   for (std::size_t i = 0; i < wanted; ++i) {
     shape.size(static_cast<Eigen::Index>(i)) = written->at(i);
-    if (!(written->at(i) > 0.0)) geom.element().problem(type + "'s size is not above 0");
+    if (!(written->at(i) > 0.0)) geom.element().problem(type + "'s size must be above 0");
   }
   if (ends)
     shape.pose = between(geom, *ends, shape.size(static_cast<Eigen::Index>(wanted)));
@@ -105,15 +105,16 @@ std::optional<RigidMass> mass_of_geom(const Attributes& geom, const Settings& se
   if (group < settings.first_group || group > settings.last_group) return std::nullopt;
   if (type == "plane" || type == "hfield") return std::nullopt;
   const double written = geom.number("mass", -1.0);
-  if (geom.has("mass") && written < 0.0) geom.element().problem("geom's mass is below 0 kg");
+  if (geom.has("mass") && written < 0.0) geom.element().problem("geom's mass is negative");
   if (is_mesh(geom)) {
     if (!(written > 0.0)) return std::nullopt;
     return RigidMass{written, pose_of(geom, settings).position,
                      robot_files::repaired(Eigen::Matrix3d::Zero(), written)};
   }
   if (!has_solid(type)) {
-    geom.element().problem("geom's type \"" + type +
-                           "\" is none; known are sphere, capsule, cylinder, box, ellipsoid, mesh, plane and hfield");
+    geom.element().problem(
+        "geom's type \"" + type +
+        "\" is unknown; known are sphere, capsule, cylinder, box, ellipsoid, mesh, plane and hfield");
     return std::nullopt;
   }
   const std::optional<Shape> shape = shape_of(geom, type, settings);

@@ -12,13 +12,13 @@ JointKind kind_of(const Attributes& joint) {
   const std::string type = joint.text_of("type").value_or("hinge");
   const auto found = kKinds.find(type);
   if (found != kKinds.end()) return found->second;
-  joint.element().problem("joint's type \"" + type + "\" is none; known are hinge, slide, ball and free");
+  joint.element().problem("joint's type \"" + type + "\" is unknown; known are hinge, slide, ball and free");
   return JointKind::hinge;
 }
 
 double at_least_zero(const Attributes& joint, const char* attribute) {
   const double value = joint.number(attribute, 0.0);
-  if (value < 0.0) joint.element().problem(std::string("joint's ") + attribute + " is below 0");
+  if (value < 0.0) joint.element().problem(std::string("joint's ") + attribute + " is negative");
   return std::max(value, 0.0);
 }
 
@@ -34,7 +34,7 @@ void read_range(const Attributes& element, const Settings& settings, Joint& join
   if (joint.kind == JointKind::ball)
     return file.remark(RobotRemarkKind::left_out, element.element(), "the range of ball joint " + joint.name);
   if (!range || !(range->at(0) < range->at(1)))
-    return element.element().problem("joint is limited, and its range's lower bound is not below the upper one");
+    return element.element().problem("joint is limited, but the lower bound of its range is not below the upper one");
   joint.lower = coordinate(joint, range->at(0), settings) - joint.reference;
   joint.upper = coordinate(joint, range->at(1), settings) - joint.reference;
 }

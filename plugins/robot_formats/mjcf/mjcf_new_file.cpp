@@ -115,7 +115,7 @@ class NewFile {
       element.SetAttribute("name", actuator.name.c_str());
       element.SetAttribute("joint", actuator.joint.c_str());
       if (put_actuator(element, actuator, 0.0)) continue;
-      left_out("actuator " + actuator.name + ": MJCF has none of its kind");
+      left_out("actuator " + actuator.name + ": MJCF has no such kind");
       section.DeleteChild(&element);
     }
   }
@@ -139,7 +139,7 @@ class NewFile {
     for (const SensorSpec& sensor : robot_.sensors) {
       const char* kind = word_of(sensor.kind);
       if (!kind) {
-        left_out("sensor " + sensor.name + ": MJCF has none of its kind");
+        left_out("sensor " + sensor.name + ": MJCF has no such kind");
         continue;
       }
       XMLElement& element = *section.InsertNewChildElement(kind);

@@ -34,10 +34,7 @@ void set_base(File& file, RobotBase base) {
                                  [](const Body& body) { return body.parent == 0 && body.joints.empty(); });
   if (root == file.bodies.end())
     return file.problems->push_back(
-        {0,
-         "base = \"free\": each body in the world hangs on a joint of its own; only one that "
-         "stands still can be set free",
-         {}});
+        {0, "base = \"free\": each body in the world has its own joint; only a fixed body can be set free", {}});
   Joint floats;
   floats.kind = JointKind::free;
   floats.name = file.names.new_name("joint", root->name + "_free");
@@ -63,7 +60,7 @@ class RobotMaker {
     note_chains();
     note_sections();
     if (robot_.bodies.empty())
-      file_.problems->push_back({0, "nothing in it moves: no body has a joint; a robot needs one at least", {}});
+      file_.problems->push_back({0, "no body has a joint, so nothing in it moves; a robot needs at least one", {}});
     return std::move(robot_);
   }
 
@@ -95,9 +92,9 @@ class RobotMaker {
     for (std::size_t i = 1; i < file_.bodies.size(); ++i) {
       if (carrier_[i] != i) continue;
       masses_[i] = joined(parts[i]);
-      if (meshes[i] > 0) guess(i, "body " + file_.bodies[i].name + " has meshes without a mass; they weigh nothing");
+      if (meshes[i] > 0) guess(i, "body " + file_.bodies[i].name + " has meshes without a mass; a mass of 0 is used");
       if (masses_[i].mass > 0.0) continue;
-      guess(i, "body " + file_.bodies[i].name + " moves and has no mass; 1 g is taken");
+      guess(i, "body " + file_.bodies[i].name + " moves but has no mass; 1 g is used");
       masses_[i].mass = kLeastMass;
       masses_[i].inertia = robot_files::repaired(Eigen::Matrix3d::Zero(), kLeastMass);
     }
@@ -192,7 +189,7 @@ class RobotMaker {
     }
     if (any)
       file_.remarks.push_back(
-          {RobotRemarkKind::guessed, 0, "it has no actuator; each joint gets a motor of its name", {}});
+          {RobotRemarkKind::guessed, 0, "it has no actuator; each joint gets a motor with the joint's name", {}});
   }
 
   void add_sensor(SensorKind kind, const std::string& element, const std::string& ending) {
@@ -232,7 +229,7 @@ class RobotMaker {
       file_.remarks.push_back({RobotRemarkKind::guessed,
                                0,
                                "bodies with several joints: " + std::to_string(bodies_on_chains_) +
-                                   "; bodies of next to no mass stand between their joints",
+                                   "; bodies of almost no mass are put between their joints",
                                {}});
   }
 
@@ -245,8 +242,8 @@ class RobotMaker {
       const std::string name(section.name());
       if (kKnown.contains(section.name()) || !noted.insert(name).second) continue;
       file_.remark(RobotRemarkKind::left_out, section,
-                   name == "tendon" ? "tendons: what they pull and hold is not in the model"
-                                    : "<" + name + "> has no place in a model");
+                   name == "tendon" ? "tendons: their forces and constraints are not in the model"
+                                    : "<" + name + "> has no equivalent in a model");
     }
   }
 
@@ -265,7 +262,7 @@ class RobotMaker {
 void note_base(const File& file, std::vector<RobotRemark>& remarks) {
   for (const Body& body : file.bodies)
     if (is_free(body)) return;
-  remarks.push_back({RobotRemarkKind::guessed, 0, "nothing in it floats: its bodies are held to the world", {}});
+  remarks.push_back({RobotRemarkKind::guessed, 0, "no body floats: all are fixed to the world", {}});
 }
 
 }  // namespace

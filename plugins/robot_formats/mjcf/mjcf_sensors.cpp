@@ -50,7 +50,7 @@ class SensorReader {
     const std::string written = element.required_text("joint");
     const auto found = file_.joint_of_name.find(written);
     if (found == file_.joint_of_name.end()) {
-      element.problem("a sensor names the joint \"" + written + "\", which there is not");
+      element.problem("a sensor names the joint \"" + written + "\", which does not exist");
       return false;
     }
     const Joint& joint = file_.bodies[found->second.first].joints[found->second.second];

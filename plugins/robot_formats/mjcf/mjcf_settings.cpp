@@ -20,12 +20,12 @@ bool flag_of(const XmlElement& element, const char* attribute, bool otherwise) {
 
 void read_compiler(const XmlElement& compiler, Settings& settings) {
   if (const auto angle = compiler.text_of("angle")) {
-    if (*angle != "degree" && *angle != "radian") compiler.problem("compiler's angle is to be degree or radian");
+    if (*angle != "degree" && *angle != "radian") compiler.problem("compiler's angle must be degree or radian");
     settings.degrees = *angle == "degree";
   }
   if (const auto sequence = compiler.text_of("eulerseq")) {
     if (sequence->size() != 3 || sequence->find_first_not_of("xyzXYZ") != std::string::npos)
-      compiler.problem("compiler's eulerseq \"" + *sequence + "\" is to be three letters of x, y, z, X, Y, Z");
+      compiler.problem("compiler's eulerseq \"" + *sequence + "\" must be three letters of x, y, z, X, Y, Z");
     else
       settings.euler_axes = *sequence;
   }
@@ -82,7 +82,7 @@ Quaterniond of_axes(const XmlElement& element, const std::vector<double>& axes) 
   x.normalize();
   y -= x.dot(y) * x;
   if (!(x.norm() > 0.5) || y.norm() < kNoDirection) {
-    element.problem("xyaxes has two axes that span no plane");
+    element.problem("xyaxes has two parallel axes");
     return Quaterniond::Identity();
   }
   y.normalize();
@@ -111,7 +111,7 @@ Quaterniond of_axis_angle(const XmlElement& element, const std::vector<double>& 
 Quaterniond of_quaternion(const XmlElement& element, const std::vector<double>& written) {
   const Quaterniond turn(written[0], written[1], written[2], written[3]);
   if (turn.norm() > kNoDirection) return turn.normalized();
-  element.problem("quat has length 0; write 1 0 0 0 for no turn");
+  element.problem("quat has length 0; write 1 0 0 0 for no rotation");
   return Quaterniond::Identity();
 }
 
@@ -126,7 +126,7 @@ Quaterniond orientation_of(const Attributes& source, const Settings& settings) {
     turn = of_euler({(*euler)[0], (*euler)[1], (*euler)[2]}, settings);
   if (const auto axes = source.numbers("xyaxes", 6, 6); axes && ++written) turn = of_axes(element, *axes);
   if (const auto z = source.numbers("zaxis", 3, 3); z && ++written) turn = of_z(element, {(*z)[0], (*z)[1], (*z)[2]});
-  if (written > 1) element.problem("says its orientation twice; keep one of quat, axisangle, euler, xyaxes, zaxis");
+  if (written > 1) element.problem("has two orientations; keep one of quat, axisangle, euler, xyaxes, zaxis");
   return turn;
 }
 

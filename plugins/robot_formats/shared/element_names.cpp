@@ -20,8 +20,8 @@ std::string ElementNames::named(std::string_view what, const std::string& writte
   name = new_name(what, name);
   if (name != written)
     remarks.push_back({RobotRemarkKind::repaired, line,
-                       std::string(what) + " \"" + written + "\" is called " + name +
-                           ": names have letters, digits, _ and - only, and each its own",
+                       std::string(what) + " \"" + written + "\" gets the name " + name +
+                           ": names consist of letters, digits, _ and - only and must differ",
                        file});
   return known[written] = name;
 }

@@ -83,7 +83,7 @@ std::optional<double> XmlElement::read_number(std::string_view word, const char*
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc() && end == word.data() + word.size() && std::isfinite(value)) return value;
-  problem(of(attribute) + " \"" + std::string(written) + "\" is no number; write one such as 1.5");
+  problem(of(attribute) + " \"" + std::string(written) + "\" is not a number; write one such as 1.5");
   return std::nullopt;
 }
 
@@ -92,7 +92,7 @@ double XmlElement::number(const char* attribute, double otherwise) const {
   if (!text) return otherwise;
   const std::vector<std::string_view> words = words_of(*text);
   if (words.size() == 1) return read_number(words.front(), attribute).value_or(otherwise);
-  problem(of(attribute) + " \"" + *text + "\" is to be one number");
+  problem(of(attribute) + " \"" + *text + "\" must be one number");
   return otherwise;
 }
 
@@ -113,7 +113,7 @@ Eigen::Vector3d XmlElement::vector(const char* attribute, const Eigen::Vector3d&
   if (!text) return otherwise;
   const std::vector<std::string_view> words = words_of(*text);
   if (words.size() != 3) {
-    problem(of(attribute) + " \"" + *text + "\" is to be three numbers");
+    problem(of(attribute) + " \"" + *text + "\" must be three numbers");
     return otherwise;
   }
   Eigen::Vector3d vector = otherwise;
@@ -131,7 +131,7 @@ std::optional<std::vector<double>> XmlElement::numbers(const char* attribute, st
   if (words.size() < fewest || words.size() > most) {
     const std::string wanted =
         fewest == most ? std::to_string(most) : std::to_string(fewest) + " to " + std::to_string(most);
-    problem(of(attribute) + " has " + std::to_string(words.size()) + " numbers; it is to have " + wanted);
+    problem(of(attribute) + " has " + std::to_string(words.size()) + " numbers; it must have " + wanted);
     return std::nullopt;
   }
   std::vector<double> read;

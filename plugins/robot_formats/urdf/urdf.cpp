@@ -10,7 +10,7 @@ namespace {
 
 class Urdf : public RobotFormat {
  public:
-  std::string summary() const override { return "Robots as ROS describes them (URDF)"; }
+  std::string summary() const override { return "Robots in the format of ROS (URDF)"; }
   std::vector<std::string> endings() const override { return {".urdf", ".xml"}; }
   bool is_meant(const std::string& text) const override { return robot_files::root_name(text) == "robot"; }
   ReadRobot read(const RobotText& file) const override {

@@ -48,8 +48,8 @@ class FileReader {
     if (base == RobotBase::free || hangs_on_a_joint(kWorld)) tell_from_world();
     for (const XmlElement& one : robot.children()) note_unread(one);
     for (const auto& [name, line] : unread_)
-      remark(RobotRemarkKind::left_out, line, "<" + name + "> has no place in a model");
-    if (file_.links.empty()) robot.problem("has no <link>; a robot needs one at least");
+      remark(RobotRemarkKind::left_out, line, "<" + name + "> has no equivalent in a model");
+    if (file_.links.empty()) robot.problem("has no <link>; a robot needs at least one");
   }
 
  private:
@@ -64,7 +64,7 @@ class FileReader {
       if (!is_of_names(c)) c = '_';
     if (name != written && written_.insert(written).second)
       remark(RobotRemarkKind::repaired, line,
-             "\"" + written + "\" is called " + name + ": names have letters, digits, _ and - only");
+             "\"" + written + "\" gets the name " + name + ": names have letters, digits, _ and - only");
     return name;
   }
 
@@ -83,7 +83,7 @@ class FileReader {
       mass.mass = value->required_number("value");
     else
       inertial.problem("inertial's <mass value=\"...\"/> is missing");
-    if (mass.mass < 0.0) inertial.problem("the mass is below 0 kg; a body's is above");
+    if (mass.mass < 0.0) inertial.problem("the mass is negative; it must be above 0 kg");
     const std::optional<XmlElement> inertia = inertial.child("inertia");
     if (!inertia) return mass;
     Eigen::Matrix3d own;
@@ -116,7 +116,7 @@ class FileReader {
     const auto found = kTypes.find(type);
     if (found != kTypes.end()) return found->second;
     element.problem("joint's type \"" + type +
-                    "\" is none; known are revolute, continuous, prismatic, fixed, floating and planar");
+                    "\" is unknown; known are revolute, continuous, prismatic, fixed, floating and planar");
     return JointType::fixed;
   }
 
@@ -137,7 +137,7 @@ class FileReader {
     if (const std::optional<XmlElement> dynamics = element.child("dynamics")) {
       joint.damping = dynamics->number("damping", 0.0);
       joint.friction = dynamics->number("friction", 0.0);
-      if (joint.damping < 0.0 || joint.friction < 0.0) dynamics->problem("damping and friction are 0 or above");
+      if (joint.damping < 0.0 || joint.friction < 0.0) dynamics->problem("damping and friction must be 0 or above");
     }
     if (const std::optional<XmlElement> limit = element.child("limit")) read_limit(*limit, joint);
     if (const std::optional<XmlElement> mimic = element.child("mimic"))
@@ -152,8 +152,7 @@ class FileReader {
     const double lower = limit.number("lower", 0.0), upper = limit.number("upper", 0.0);
     if (lower > upper) return limit.problem("limit's lower is above its upper; exchange them");
     if (lower == upper) {
-      remark(RobotRemarkKind::guessed, limit.line(),
-             "joint " + joint.name + " has no range; it is taken to have no stops");
+      remark(RobotRemarkKind::guessed, limit.line(), "joint " + joint.name + " has no range; it gets no stops");
       return;
     }
     joint.lower = lower;
@@ -167,7 +166,7 @@ class FileReader {
       const auto found = joints.find(named(written, commands.line));
       if (found == joints.end()) {
         remark(RobotRemarkKind::left_out, commands.line,
-               "commands of \"" + written + "\", which is no joint of the robot");
+               "commands of \"" + written + "\", which is not a joint of the robot");
         continue;
       }
       file_.says_commands = file_.says_commands || !commands.interfaces.empty();
@@ -187,7 +186,7 @@ class FileReader {
     for (Link& link : file_.links)
       if (link.name == kWorld) {
         link.name = name;
-        remark(RobotRemarkKind::repaired, link.line, "link world moves, and is called " + name);
+        remark(RobotRemarkKind::repaired, link.line, "link world moves and gets the name " + name);
       }
     for (Joint& joint : file_.joints)
       for (std::string* link : {&joint.parent, &joint.child})
@@ -214,18 +213,18 @@ File read_file(const std::string& text, RobotBase base) {
   const std::string readable = robot_files::without_late_declarations(text);
   document.Parse(readable.data(), readable.size());
   if (document.Error()) {
-    file.problems.push_back({document.ErrorLineNum(), std::string("is no whole XML document (") + document.ErrorName() +
-                                                          "); is it cut off, or another format?"});
+    file.problems.push_back({document.ErrorLineNum(), std::string("is not a complete XML document (") +
+                                                          document.ErrorName() +
+                                                          "); is it incomplete or in another format?"});
     return file;
   }
   const tinyxml2::XMLElement* root = document.RootElement();
   if (const int line = robot_files::line_behind_root(document); line > 0)
-    file.problems.push_back({line, "words stand behind the outermost element; remove them"});
+    file.problems.push_back({line, "text follows the outermost element; remove it"});
   else if (root != nullptr && is_xacro(*root))
-    file.problems.push_back(
-        {0, "is a xacro file, which describes how to make a URDF; make it with xacro FILE > robot.urdf"});
+    file.problems.push_back({0, "is a xacro file, from which a URDF is made; make it with xacro FILE > robot.urdf"});
   else if (root == nullptr || std::string_view(root->Name()) != "robot")
-    file.problems.push_back({root ? root->GetLineNum() : 0, "is no URDF: its root is not <robot>"});
+    file.problems.push_back({root ? root->GetLineNum() : 0, "is not a URDF: its root is not <robot>"});
   else
     FileReader(file).read(*root, base);
   return file;

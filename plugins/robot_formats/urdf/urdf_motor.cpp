@@ -23,9 +23,9 @@ void take_servo(const Joint& joint, bool is_position, ActuatorSpec& motor, std::
   const std::string address = "actuator." + joint.name;
   const std::string start = "joint " + joint.name + " is commanded in ";
   guess(remarks, joint.commands->line,
-        is_position ? start + "position, and a URDF has no gains: kp = " + number_text(motor.kp) + " and kd = " +
-                          number_text(motor.kd) + " are taken; free " + address + ".kp and " + address + ".kd"
-                    : start + "velocity, and a URDF has no gains: kd = " + number_text(motor.kd) + " is taken; free " +
+        is_position ? start + "position, but a URDF has no gains: kp = " + number_text(motor.kp) + " and kd = " +
+                          number_text(motor.kd) + " are used; free " + address + ".kp and " + address + ".kd"
+                    : start + "velocity, but a URDF has no gains: kd = " + number_text(motor.kd) + " is used; free " +
                           address + ".kd");
 }
 
@@ -37,7 +37,7 @@ std::optional<ActuatorSpec> motor_of(const Joint& joint, bool says_commands, std
   if (joint.effort > 0.0) motor.force_limit = joint.effort;
   if (!says_commands) return motor;
   if (!joint.commands || joint.commands->interfaces.empty()) {
-    guess(remarks, joint.line, "joint " + joint.name + " has no command interface: nothing drives it");
+    guess(remarks, joint.line, "joint " + joint.name + " has no command interface, so it has no drive");
     return std::nullopt;
   }
   motor.transmission.ratio = joint.commands->reduction;
@@ -45,8 +45,7 @@ std::optional<ActuatorSpec> motor_of(const Joint& joint, bool says_commands, std
   if (!known.contains(Interface::effort))
     take_servo(joint, known.contains(Interface::position), motor, remarks);
   else if (known.size() > 1)
-    guess(remarks, joint.commands->line,
-          "joint " + joint.name + " has several command interfaces; its command is taken to be the effort");
+    guess(remarks, joint.commands->line, "joint " + joint.name + " has several command interfaces; effort is used");
   return motor;
 }
 

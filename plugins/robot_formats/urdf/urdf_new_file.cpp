@@ -74,7 +74,7 @@ class FileMaker {
 
   void add_joint(XMLElement& root, const JointSpec& joint) {
     if (joint.kind == JointKind::universal || joint.kind == JointKind::ball)
-      left_out("joint " + joint.name + " turns about several axes; it is written as fixed");
+      left_out("joint " + joint.name + " turns about several axes; it is written as a fixed joint");
     const bool is_limited = std::isfinite(joint.lower) && std::isfinite(joint.upper);
     const char* type = joint.kind == JointKind::hinge    ? (is_limited ? "revolute" : "continuous")
                        : joint.kind == JointKind::slider ? "prismatic"
@@ -103,7 +103,7 @@ class FileMaker {
     std::set<std::string> driven;
     for (const ActuatorSpec& actuator : robot_.actuators) {
       if (!driven.insert(actuator.joint).second) {
-        left_out("actuator " + actuator.name + ": joint " + actuator.joint + " has another one");
+        left_out("actuator " + actuator.name + ": joint " + actuator.joint + " already has one");
         continue;
       }
       XMLElement& joint = *control.InsertNewChildElement("joint");

@@ -59,7 +59,7 @@ class RobotMaker {
   std::size_t link_of(const std::string& name, const Joint& joint) {
     const auto found = link_of_name_.find(name);
     if (found != link_of_name_.end()) return found->second;
-    problem(joint.line, "joint " + joint.name + " names the link \"" + name + "\", which there is not");
+    problem(joint.line, "joint " + joint.name + " names the link \"" + name + "\", which does not exist");
     return kNone;
   }
 
@@ -71,8 +71,9 @@ class RobotMaker {
       const std::size_t parent = link_of(joint.parent, joint), child = link_of(joint.child, joint);
       if (parent == kNone || child == kNone) continue;
       if (placed_[child].joint != kNone)
-        problem(joint.line, "link " + joint.child + " hangs on two joints, " + file_.joints[placed_[child].joint].name +
-                                " and " + joint.name + "; a URDF is a tree");
+        problem(joint.line, "link " + joint.child + " is the child of two joints, " +
+                                file_.joints[placed_[child].joint].name + " and " + joint.name +
+                                "; a URDF must be a tree");
       placed_[child].joint = j;
       hanging_[parent].push_back(child);
     }
@@ -82,11 +83,11 @@ class RobotMaker {
     std::vector<std::size_t> roots;
     for (std::size_t i = 0; i < placed_.size(); ++i)
       if (placed_[i].joint == kNone) roots.push_back(i);
-    if (roots.empty()) return problem(0, "its joints form a loop, and no link stands still; a URDF is a tree");
+    if (roots.empty()) return problem(0, "its joints form a loop without a fixed link; a URDF must be a tree");
     if (roots.size() > 1)
       return problem(file_.links[roots[1]].line, "links " + file_.links[roots[0]].name + " and " +
                                                      file_.links[roots[1]].name +
-                                                     " both hang on no joint; join them, or leave one out");
+                                                     " are both without a parent; join them, or leave one out");
     order_ = roots;
     placed_[roots.front()].carrier = roots.front();
     for (std::size_t i = 0; i < order_.size(); ++i)
@@ -94,7 +95,7 @@ class RobotMaker {
         place(child, order_[i]);
         order_.push_back(child);
       }
-    if (order_.size() < placed_.size()) problem(0, "some of its joints form a loop; a URDF is a tree");
+    if (order_.size() < placed_.size()) problem(0, "some of its joints form a loop; a URDF must be a tree");
   }
 
   void place(std::size_t link, std::size_t parent) {
@@ -160,7 +161,7 @@ class RobotMaker {
     RigidMass whole = joined(parts);
     if (whole.mass > 0.0) return whole;
     remark(RobotRemarkKind::guessed, file_.links[carrier].line,
-           "link " + file_.links[carrier].name + " moves and has no mass; 1 g is taken");
+           "link " + file_.links[carrier].name + " moves but has no mass; 1 g is used");
     whole.mass = kLeastMass;
     whole.inertia = repaired(Eigen::Matrix3d::Zero(), kLeastMass);
     return whole;
@@ -170,10 +171,11 @@ class RobotMaker {
     RigidMass mass = *link.mass;
     if (mass.mass == 0.0 || can_be(mass.inertia)) return mass;
     mass.inertia = repaired(mass.inertia, mass.mass);
-    remark(RobotRemarkKind::repaired, link.line,
-           "no body has the inertia of link " + link.name +
-               ": a principal moment is not above 0, or above the sum of "
-               "the others; the nearest that can be is taken");
+    remark(
+        RobotRemarkKind::repaired, link.line,
+        "the inertia of link " + link.name +
+            " is impossible: a principal moment is not above 0, or above the sum of the others; the nearest possible "
+            "one is used");
     return mass;
   }
 
@@ -184,7 +186,7 @@ class RobotMaker {
       return problem(joint.line, "joint " + joint.name + " is planar; write two prismatic joints and a revolute one");
     if (joint.type == JointType::floating && (parent != root() || is_free()))
       return problem(joint.line,
-                     "joint " + joint.name + " floats on a link that moves; a body floats in the world alone");
+                     "joint " + joint.name + " floats on a link that moves; only a body in the world can float");
     JointSpec spec;
     spec.name = joint.name;
     spec.parent = name_of(parent);
@@ -223,7 +225,7 @@ class RobotMaker {
       const Joint* followed = joint_called(joint.mimic->joint);
       if (!followed || followed->type == JointType::fixed)
         problem(joint.line,
-                "joint " + joint.name + " follows \"" + joint.mimic->joint + "\", which is no joint that moves");
+                "joint " + joint.name + " follows \"" + joint.mimic->joint + "\", which is not a moving joint");
       else if (followed->mimic)
         problem(joint.line,
                 "joint " + joint.name + " follows " + followed->name + ", which follows another; follow that one");
@@ -240,10 +242,10 @@ class RobotMaker {
     if (collisions > 0)
       remark(RobotRemarkKind::left_out, 0, counted(collisions, "collision shape") + ": the robot touches nothing");
     if (velocities > 0)
-      remark(RobotRemarkKind::left_out, 0, counted(velocities, "velocity limit") + ": nothing in a model holds them");
+      remark(RobotRemarkKind::left_out, 0, counted(velocities, "velocity limit") + ": not limited in a model");
     if (!is_free())
       remark(RobotRemarkKind::guessed, file_.links[root()].line,
-             "link " + file_.links[root()].name + " is held to the world");
+             "link " + file_.links[root()].name + " is fixed to the world");
   }
 
   const File& file_;

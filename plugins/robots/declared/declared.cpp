@@ -16,7 +16,7 @@ std::string Declared::summary() const { return "A robot from a TOML file: bodies
 
 RobotSpec Declared::build(const RobotRequest& request) const {
   if (request.declared == nullptr)
-    throw Error("it is read from a file and the experiment names none; write [model] file = \"robot.toml\"");
+    throw Error("the experiment names no robot file; write [model] file = \"robot.toml\"");
   return *request.declared;
 }
 

@@ -143,31 +143,32 @@ std::string FiveCylinders::summary() const {
 }
 
 ParameterDeclarations FiveCylinders::parameters() const {
-  return {{"radius", "m", 0.1, 1e-3, 10.0, Scale::linear,
-           "Radius of each part; less the sink it is the height of all of them at the start"},
-          {"mass", "kg", 1.0, 1e-6, 1e6, Scale::logarithmic, "Mass of each part"},
-          {"spine_length", "m", 1.0, 1e-3, 100.0, Scale::linear, "Length of each of the three spinal parts"},
-          {"arm_length", "m", 0.8, 1e-3, 100.0, Scale::linear, "Length of each arm"},
-          {"arms_in_middle", "1", 0.0, 0.0, 1.0, Scale::linear,
-           "1: arms on the middle of the front part, as the source's text may be read; 0: at the torso's head, which "
-           "head-or-tail encodings can say"},
-          {"range", "rad", std::numbers::pi / 6.0, 1e-3, 3.0, Scale::linear,
-           "Hinges, commands and angle sensors go from minus to plus this"},
-          {"speed_gain", "1/s", 8.0, 0.0, 1e3, Scale::linear, "Speed that a servo wants per radian of position error"},
-          {"force_limit", "N*m", 40.0, 0.0, 1e4, Scale::linear, "Largest torque of a servo"},
-          {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
-           "Torque of a servo per missing speed, until its limit"},
-          {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"},
-          {"beacon_height", "m", 0.0, -100.0, 100.0, Scale::linear, "Height of all beacons above the ground"},
-          {"sink", "m", 1e-5, 0.0, 0.1, Scale::linear,
-           "How deep all parts start in the ground; at 0 rounding decides which of them touch it at first"}};
+  return {
+      {"radius", "m", 0.1, 1e-3, 10.0, Scale::linear,
+       "Radius of each part; the height of all parts at the start is the radius minus sink"},
+      {"mass", "kg", 1.0, 1e-6, 1e6, Scale::logarithmic, "Mass of each part"},
+      {"spine_length", "m", 1.0, 1e-3, 100.0, Scale::linear, "Length of each of the three spinal parts"},
+      {"arm_length", "m", 0.8, 1e-3, 100.0, Scale::linear, "Length of each arm"},
+      {"arms_in_middle", "1", 0.0, 0.0, 1.0, Scale::linear,
+       "Attachment of the arms: 1: middle of the front part, one reading of the source's text; 0: head of the torso, "
+       "which head-or-tail encodings can express"},
+      {"range", "rad", std::numbers::pi / 6.0, 1e-3, 3.0, Scale::linear,
+       "Largest hinge angle, command and angle reading, in both directions"},
+      {"speed_gain", "1/s", 8.0, 0.0, 1e3, Scale::linear, "Speed that a servo requests per radian of position error"},
+      {"force_limit", "N*m", 40.0, 0.0, 1e4, Scale::linear, "Largest torque of a servo"},
+      {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
+       "Torque of a servo per speed error, up to its limit"},
+      {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "Number of beacons to which the range of each part is measured"},
+      {"beacon_height", "m", 0.0, -100.0, 100.0, Scale::linear, "Height of all beacons above the ground"},
+      {"sink", "m", 1e-5, 0.0, 0.1, Scale::linear,
+       "Initial depth of all parts in the ground; at 0 rounding decides which parts touch it first"}};
 }
 
 RobotSpec FiveCylinders::build(const RobotRequest& request) const {
   const std::span<const double> p = request.parameters;
-  if (p[kBeacons] != std::floor(p[kBeacons])) throw Error("beacons is to be a whole number from 0 to 4");
+  if (p[kBeacons] != std::floor(p[kBeacons])) throw Error("beacons must be a whole number from 0 to 4");
   if (p[kArmsInMiddle] != std::floor(p[kArmsInMiddle]))
-    throw Error("arms_in_middle is to be 0 (at the torso's head) or 1 (in its middle)");
+    throw Error("arms_in_middle must be 0 (at the torso's head) or 1 (in its middle)");
   RobotSpec robot;
   robot.name = "five_cylinders";
   const std::array<Part, 5> parts = parts_of(p);

@@ -171,10 +171,10 @@ std::string Quadruped::summary() const {
 
 ParameterDeclarations Quadruped::parameters() const {
   ParameterDeclarations parameters = {
-      {"speed_gain", "1/s", 8.0, 0.0, 1e3, Scale::linear, "Speed that a servo wants per radian of position error"},
+      {"speed_gain", "1/s", 8.0, 0.0, 1e3, Scale::linear, "Speed that a servo requests per radian of position error"},
       {"force_limit", "N*m", 40.0, 0.0, 1e4, Scale::linear, "Largest torque of a servo"},
       {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
-       "Torque of a servo per missing speed, until its limit"},
+       "Torque of a servo per speed error, up to its limit"},
       {"torso_radius", "m", 0.2, 0.01, 0.8, Scale::linear, "Radius of the torso, a sphere"},
       mass_parameter("torso")};
   for (const Leg& leg : kLegs) {

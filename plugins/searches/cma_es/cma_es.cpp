@@ -185,10 +185,10 @@ std::size_t default_population(std::size_t genes) {
 
 }  // namespace
 
-std::string CmaEs::summary() const { return "CMA-ES: samples a normal distribution that learns from the better half"; }
+std::string CmaEs::summary() const { return "CMA-ES: samples a normal distribution that it adapts to the better half"; }
 
 ParameterDeclarations CmaEs::parameters() const {
-  return {{"population", "1", 0.0, 0.0, 1e6, Scale::linear, "Individuals in a generation; 0: 4 + 3 ln n"},
+  return {{"population", "1", 0.0, 0.0, 1e6, Scale::linear, "Individuals per generation; 0: 4 + 3 ln n"},
           {"generations", "1", 130.0, 1.0, 1e6, Scale::linear, "Generations"},
           {"sigma0", "1", 0.3, 1e-6, 1.0, Scale::logarithmic, "First step size, as a share of the range"}};
 }
@@ -196,7 +196,7 @@ ParameterDeclarations CmaEs::parameters() const {
 std::unique_ptr<Search> CmaEs::begin(const SearchTask& task, std::span<const double> parameters) const {
   const ParameterDeclarations declared = this->parameters();
   std::size_t population = count_parameter(declared[kPopulation], parameters[kPopulation]);
-  if (population == 1) throw Error("CMA-ES cannot choose from a population of 1; leave it 0 for 4 + 3 ln n");
+  if (population == 1) throw Error("CMA-ES needs a population of at least 2; leave it 0 for 4 + 3 ln n");
   if (population == 0) population = default_population(task.layout.size());
   return std::make_unique<CmaSearch>(
       task, population, count_parameter(declared[kGenerations], parameters[kGenerations]), parameters[kSigma]);

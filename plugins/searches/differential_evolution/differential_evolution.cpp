@@ -99,8 +99,8 @@ std::string DifferentialEvolution::summary() const {
 }
 
 ParameterDeclarations DifferentialEvolution::parameters() const {
-  return {{"population", "1", 50.0, 4.0, 1e6, Scale::linear, "Individuals, and evaluations in a generation"},
-          {"generations", "1", 30.0, 1.0, 1e6, Scale::linear, "Generations, the random one included"},
+  return {{"population", "1", 50.0, 4.0, 1e6, Scale::linear, "Individuals, and evaluations per generation"},
+          {"generations", "1", 30.0, 1.0, 1e6, Scale::linear, "Generations, including the random one"},
           {"weight", "1", 0.5, 0.0, 2.0, Scale::linear, "F, the share of a difference that is added"},
           {"crossover", "1", 0.9, 0.0, 1.0, Scale::linear, "CR, the probability that a gene comes from the mutant"}};
 }

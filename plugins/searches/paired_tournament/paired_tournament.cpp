@@ -78,8 +78,8 @@ class PairedTournamentSearch : public GenerationalSearch {
   void do_load(SearchStateReader& state) override {
     done_ = state.next_count();
     if (kept().size() != (generation() == 0 ? 0 : population_) || done_ > pairs_)
-      throw Error("the stored state is not one of a search of " + std::to_string(population_) + " individuals and " +
-                  std::to_string(pairs_) + " pairs");
+      throw Error("the stored state does not belong to a search with " + std::to_string(population_) +
+                  " individuals and " + std::to_string(pairs_) + " pairs");
   }
 
   std::size_t population_, pairs_;
@@ -90,13 +90,13 @@ class PairedTournamentSearch : public GenerationalSearch {
 }  // namespace
 
 std::string PairedTournament::summary() const {
-  return "Pairs drawn one after the other: the fitter overwrites the other and is varied";
+  return "Pairs drawn one after the other: a mutated copy of the fitter individual replaces the other";
 }
 
 ParameterDeclarations PairedTournament::parameters() const {
   return {{"population", "1", 100.0, 2.0, 1e6, Scale::linear, "Individuals"},
-          {"pairs", "1", 75.0, 1.0, 1e6, Scale::linear, "Pairs in a generation, one after the other"},
-          {"generations", "1", 20.0, 1.0, 1e6, Scale::linear, "Generations, the random one included"}};
+          {"pairs", "1", 75.0, 1.0, 1e6, Scale::linear, "Pairs per generation, drawn one after the other"},
+          {"generations", "1", 20.0, 1.0, 1e6, Scale::linear, "Generations, including the random one"}};
 }
 
 std::unique_ptr<Search> PairedTournament::begin(const SearchTask& task, std::span<const double> parameters) const {

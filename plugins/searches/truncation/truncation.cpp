@@ -75,9 +75,9 @@ std::string Truncation::summary() const {
 }
 
 ParameterDeclarations Truncation::parameters() const {
-  return {{"population", "1", 100.0, 2.0, 1e6, Scale::linear, "Individuals in a generation"},
+  return {{"population", "1", 100.0, 2.0, 1e6, Scale::linear, "Individuals per generation"},
           {"keep", "1", 50.0, 1.0, 1e6, Scale::linear, "How many of them survive"},
-          {"generations", "1", 30.0, 1.0, 1e6, Scale::linear, "Generations, the random one included"}};
+          {"generations", "1", 30.0, 1.0, 1e6, Scale::linear, "Generations, including the random one"}};
 }
 
 std::unique_ptr<Search> Truncation::begin(const SearchTask& task, std::span<const double> parameters) const {
@@ -86,7 +86,7 @@ std::unique_ptr<Search> Truncation::begin(const SearchTask& task, std::span<cons
   const std::size_t keep = count_parameter(declared[kKeep], parameters[kKeep]);
   if (keep >= population)
     throw Error("keep = " + std::to_string(keep) + " of a population of " + std::to_string(population) +
-                " leaves none to replace; keep fewer, half say");
+                " leaves none to replace; keep fewer, such as half");
   return std::make_unique<TruncationSearch>(task, population, keep,
                                             count_parameter(declared[kGenerations], parameters[kGenerations]));
 }

@@ -13,11 +13,11 @@ class Process : public TargetSystem {
   Trial carry_out(const Test& test, const TargetServices& services) override;
 };
 
-std::string Process::summary() const { return "A program of its own, such as a rig's driver or another simulator"; }
+std::string Process::summary() const { return "An outside program, such as a rig's driver or another simulator"; }
 
 Trial Process::carry_out(const Test& test, const TargetServices& services) {
   if (services.program == nullptr)
-    throw Error("there is no program to carry the test out; give it a command under [target]");
+    throw Error("there is no program to carry out the test; give a command under [target]");
   return services.program->carry_out(test);
 }
 

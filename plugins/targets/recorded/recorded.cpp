@@ -15,16 +15,16 @@ class Recorded : public TargetSystem {
   Trial carry_out(const Test& test, const TargetServices& services) override;
 };
 
-std::string Recorded::summary() const { return "Measured files: trials that exist already"; }
+std::string Recorded::summary() const { return "Recorded files: trials that already exist"; }
 
 std::vector<Trial> Recorded::recorded(const TargetServices& services) const {
   if (services.trials == nullptr)
-    throw Error("there is nothing to read trials from; name measured files under [target]");
+    throw Error("there are no files to read trials from; name recorded files under [target]");
   return services.trials->read();
 }
 
 Trial Recorded::carry_out(const Test&, const TargetServices&) {
-  throw Error("a recorded target takes no tests; measure more files, or choose a target that can be driven");
+  throw Error("a recorded target takes no tests; record more files, or choose a target that can be driven");
 }
 
 }  // namespace lacuna

@@ -13,11 +13,10 @@ class Simulated : public TargetSystem {
   Trial carry_out(const Test& test, const TargetServices& services) override;
 };
 
-std::string Simulated::summary() const { return "A simulated robot with hidden values: takes any test"; }
+std::string Simulated::summary() const { return "A simulated robot with hidden values; takes any test"; }
 
 Trial Simulated::carry_out(const Test& test, const TargetServices& services) {
-  if (services.simulator == nullptr)
-    throw Error("there is nothing to simulate the target with; give it a robot under [target]");
+  if (services.simulator == nullptr) throw Error("the simulated target has no robot; give it one under [target]");
   return services.simulator->simulate(test);
 }
 

@@ -20,11 +20,10 @@ std::string ForwardDistance::summary() const { return "How far forward the best 
 std::size_t ForwardDistance::models(std::span<const double>) const { return 1; }
 
 double ForwardDistance::score(const Test&, std::span<const TestPrediction> predictions, std::span<const double>) const {
-  if (predictions.empty())
-    throw Error("there is no prediction to take the distance from; one model must predict the test");
+  if (predictions.empty()) throw Error("there is no prediction of the distance; one model must predict the test");
   const TimeSeries::Samples& path = predictions.front().centre_of_mass.samples;
   if (path.rows() == 0 || path.cols() == 0)
-    throw Error("the predicted path of the centre of mass has no sample; is the test longer than a control period?");
+    throw Error("the predicted path of the centre of mass has no sample; make the test longer than a control period");
   constexpr int kForward = 0;  // x
   return path(path.rows() - 1, kForward) - path(0, kForward);
 }

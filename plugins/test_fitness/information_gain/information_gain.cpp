@@ -42,7 +42,7 @@ Eigen::MatrixXd information_of(const TestPrediction& prediction) {
   const auto values = static_cast<Eigen::Index>(prediction.slopes.size());
   const TimeSeries::Samples& readings = prediction.sensors.samples;
   if (static_cast<Eigen::Index>(prediction.noise.size()) != readings.cols())
-    throw Error("nothing is known of the sensors' noise, so nothing of what readings tell");
+    throw Error("the noise of the sensors is unknown, so the information of readings cannot be computed");
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(values, values);
   Eigen::MatrixXd slopes(readings.rows(), values);
   for (Eigen::Index channel = 0; channel < readings.cols(); ++channel) {
@@ -58,7 +58,7 @@ Eigen::MatrixXd information_of(const TestPrediction& prediction) {
 }  // namespace
 
 std::string InformationGain::summary() const {
-  return "What a test is expected to tell about the models' free values, in nats";
+  return "Expected information of a test about the models' free values, in nats";
 }
 
 ParameterDeclarations InformationGain::parameters() const {
@@ -70,7 +70,7 @@ std::size_t InformationGain::models(std::span<const double> parameters) const {
 }
 
 double InformationGain::score(const Test&, std::span<const TestPrediction> predictions, std::span<const double>) const {
-  if (predictions.empty()) throw Error("there is no prediction to learn from; one model must predict the test");
+  if (predictions.empty()) throw Error("there is no prediction to evaluate; one model must predict the test");
   double sum = 0.0;
   for (const TestPrediction& prediction : predictions) {
     if (prediction.slopes.empty()) continue;  // no free value, nothing to learn

@@ -38,23 +38,23 @@ std::vector<double> noise_of(const TestPrediction& prediction, double for_all) {
   std::vector<double> noise = prediction.noise;
   if (for_all > 0.0) noise.assign(static_cast<std::size_t>(prediction.sensors.samples.cols()), for_all);
   if (noise.empty() || !std::all_of(noise.begin(), noise.end(), [](double deviation) { return deviation > 0.0; }))
-    throw Error("nothing is known of the sensors' noise; state it with fitness_parameters = { noise = ... }");
+    throw Error("the noise of the sensors is unknown; state it with fitness_parameters = { noise = ... }");
   return noise;
 }
 
 }  // namespace
 
 std::string ModelDisagreement::summary() const {
-  return "How far apart the best models' predictions are, in nats that a trial is expected to tell between two of them";
+  return "Difference between the best models' predictions: expected evidence of a trial between two of them, in nats";
 }
 
 ParameterDeclarations ModelDisagreement::parameters() const {
-  return {{"models", "1", 2.0, 2.0, 100.0, Scale::linear, "Number of models that are held against each other"},
+  return {{"models", "1", 2.0, 2.0, 100.0, Scale::linear, "Number of models that are compared"},
           {"noise", "1", 0.0, 0.0, 1e12, Scale::linear,
-           "Standard deviation of a reading, in the SI unit of its channel, for all channels alike; 0: each channel's "
-           "own, as it is declared or as the trials so far show it"},
+           "Standard deviation of a reading, in the SI unit of its channel, for all channels; 0: for each channel as "
+           "declared or as estimated from the trials so far"},
           {"refit", "1", 0.0, 0.0, 1.0, Scale::linear,
-           "1: only what a refit of the wrong model would leave of a difference counts; 0: all of it"}};
+           "1: only the part of a difference that remains after a refit of the wrong model counts; 0: all of it"}};
 }
 
 std::size_t ModelDisagreement::models(std::span<const double> parameters) const {
@@ -68,7 +68,7 @@ bool ModelDisagreement::wants_slopes(std::span<const double> parameters) const {
 double ModelDisagreement::score(const Test&, std::span<const TestPrediction> predictions,
                                 std::span<const double> parameters) const {
   if (predictions.size() < 2)
-    throw Error("one model alone disagrees with nobody; raise the population, or the number kept, to two at least");
+    throw Error("one model alone cannot disagree; raise the population or the number of models kept to at least 2");
   const std::vector<double> noise = noise_of(predictions.front(), parameters[kNoise]);
   const bool refit = wants_slopes(parameters);
   double sum = 0.0, pairs = 0.0;

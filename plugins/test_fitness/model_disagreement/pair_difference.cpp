@@ -33,7 +33,7 @@ double PairDifference::left_by(const TestPrediction& wrong) const {
   const Eigen::MatrixXd& known = wrong.information;
   const auto values = static_cast<Eigen::Index>(wrong.slopes.size());
   if (known.rows() != values || known.cols() != values)
-    throw Error("what is known of " + std::to_string(values) + " values is a matrix of " +
+    throw Error("the information on " + std::to_string(values) + " values is a matrix of " +
                 std::to_string(known.rows()) + " × " + std::to_string(known.cols()));
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(difference_.size(), values);
   for (Eigen::Index k = 0; k < values; ++k) {

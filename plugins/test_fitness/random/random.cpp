@@ -13,7 +13,7 @@ class Random : public TestFitness {
                std::span<const double> parameters) const override;
 };
 
-std::string Random::summary() const { return "All tests are worth the same: the first random one is carried out"; }
+std::string Random::summary() const { return "All tests are equal: the first random one is carried out"; }
 
 std::size_t Random::models(std::span<const double>) const { return 0; }
 
