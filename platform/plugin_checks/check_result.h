@@ -10,21 +10,21 @@ namespace lacuna {
 enum class CheckOutcome {
   passed,
   failed,
-  not_applicable  ///< there is nothing to be checked of such a component
+  not_applicable  ///< the check does not apply to such a component
 };
 
-/// What one check of a plugin or a component of it told.
+/// The result of one check of a plugin or a component.
 struct CheckResult {
   std::string check;  ///< "determinism"
   CheckOutcome outcome = CheckOutcome::passed;
-  std::string finding;  ///< what was found, a clause: figures, or what is wrong
-  std::string why;      ///< of a failure: why it matters, a sentence
-  std::string remedy;   ///< of a failure: what to do, a sentence
-  /// What repeated calls cost.
+  std::string finding;  ///< the finding, a clause: numbers, or the fault
+  std::string why;      ///< for a failure: why it matters, a sentence
+  std::string remedy;   ///< for a failure: what to do, a sentence
+  /// The cost of repeated calls.
   struct Figure {
     std::string call;
     long allocations = 0;      ///< a call
-    double nanoseconds = 0.0;  ///< a call, the median
+    double nanoseconds = 0.0;  ///< per call, the median
   };
   std::vector<Figure> figures = {};
 };
@@ -49,7 +49,7 @@ struct PluginChecks {
 
 nlohmann::ordered_json json_of(const CheckResult& result);
 nlohmann::ordered_json json_of(const PluginChecks& checks);
-/// The way back. Throws `Error` for another document.
+/// The inverse. Throws `Error` for another document.
 CheckResult check_result_of(const std::string& json);
 
 /// A table, and below each failure why it matters and what to do.

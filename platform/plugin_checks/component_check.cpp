@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kThreads = 2, kGoesOfAThread = 3;
 
-/// Whether all that `declarations` tells is there.
+/// Whether `declarations` is complete.
 std::string missing_text(const std::string& summary, const ParameterDeclarations& parameters) {
   if (summary.empty()) return "it has no summary";
   for (const ParameterDeclaration& parameter : parameters)
@@ -27,7 +27,7 @@ std::string missing_text(const std::string& summary, const ParameterDeclarations
   return {};
 }
 
-/// Calls a function of the component by a name that is known if the call ends the process.
+/// Calls a function of the component under a name that is reported if the call ends the process.
 template <class Call>
 auto called(const char* name, const Call& function) {
   const PluginCall call(own_call_slot().component, name);
@@ -58,7 +58,7 @@ std::string declaration_fault(const Interface& component, std::size_t& parameter
   }
 }
 
-/// A component that was made, and its exercise.
+/// A component and its exercise.
 struct Made {
   std::shared_ptr<const void> component;
   std::unique_ptr<Exercise> exercise;
@@ -128,7 +128,7 @@ CheckResult check_determinism(const Exercise& exercise) {
                                           : not_applicable("determinism", finding + ", which is allowed for a rig");
 }
 
-/// What each thread found other than `alone`; empty: nothing.
+/// The differences that each thread found from `alone`; empty: none.
 std::array<std::string, kThreads> differences_in_threads(const Exercise& exercise, const Transcript& alone,
                                                          const ComponentOrigin& origin) {
   std::array<std::string, kThreads> differences;
@@ -204,7 +204,7 @@ CheckResult check_finite(const Exercise& exercise, const ComponentOrigin& origin
       exercise.go(setting, transcript);
     } catch (const Error&) {
       if (seen == 0) throw;
-      ++refused;  // a combination that it says it cannot take
+      ++refused;  // a combination that the component refuses
     } catch (...) {
       return failed("finite numbers", kThrownReason, thrown_by_call(origin) + place_of(setting));
     }

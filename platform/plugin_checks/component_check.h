@@ -14,13 +14,13 @@ namespace lacuna {
 /// The checks of a component, in their order.
 const std::vector<std::string>& component_check_names();
 
-/// Carries out one of them on a component that is made now. In a process that only tries plugins, for it may not
-/// survive it; everything that is thrown becomes a failure.
+/// Carries out one check on a new component. Runs in a process for trying plugins, because it may not survive;
+/// everything that is thrown becomes a failure.
 CheckResult check_component(const ComponentEntry& component, const ComponentOrigin& origin, const std::string& check,
                             const ExerciseInputs& inputs);
 
-/// Of all numbers that the component gives in its exercise: what another process is to give as well. Empty where it has
-/// none to compare. Throws what the component throws.
+/// Digest of all numbers of the component in its exercise, for comparison with another process. Empty where there are
+/// none. Throws what the component throws.
 std::string transcript_digest(const ComponentEntry& component, const ComponentOrigin& origin,
                               const ExerciseInputs& inputs);
 

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// What a check may come to besides its own finding.
+/// Reasons of failures other than the finding of a check.
 inline constexpr const char* kThrownReason = "an exception";
 inline constexpr const char* kEndedReason = "an end";
 inline constexpr const char* kRefusedReason = "a refusal";
@@ -20,7 +20,7 @@ inline CheckResult failed_check(const std::string& check, const std::string& fin
   return failed(check, check, finding);
 }
 
-/// "a call threw std::domain_error (too large)" of the exception that is being handled. Only inside a `catch` block.
+/// "a call threw std::domain_error (too large)" for the current exception. Only inside a `catch` block.
 std::string thrown_by_call(const ComponentOrigin& origin);
 
 }  // namespace lacuna

@@ -10,14 +10,12 @@
 
 namespace lacuna {
 
-/// Genomes, layouts and a breeder on which encodings, mutations and searches are tried, here and in the conformance
-/// tests.
+/// Genomes, layouts and a breeder to try encodings, mutations and searches, here and in the conformance tests.
 
 /// A stream of one number as its key.
 inline RandomStream stream_of(std::uint64_t key) { return RandomStream(std::vector<std::uint64_t>{key}); }
 
-/// What keeps a genome from being one of the layout's: a value a gene, within its bounds, whole where it must be.
-/// Empty: nothing.
+/// The fault of a genome against the layout: one value per gene, within its bounds, whole where required. Empty: none.
 inline std::string genome_fault(const GenomeLayout& layout, const Genome& genome) {
   if (genome.size() != layout.size())
     return std::to_string(genome.size()) + " values for " + std::to_string(layout.size()) + " genes";
@@ -30,7 +28,7 @@ inline std::string genome_fault(const GenomeLayout& layout, const Genome& genome
   return {};
 }
 
-/// Real and whole-number genes of different ranges, one of them of one value only.
+/// Real and whole-number genes of different ranges, one of them with a single value.
 inline GenomeLayout mixed_layout() {
   GenomeLayout layout;
   layout.genes = {{"mass", "kg", GeneKind::real, 1.0, 7.0},     {"delay", "s", GeneKind::real, 0.0, 0.2},
@@ -47,7 +45,7 @@ inline GenomeLayout layout_in_rows() {
   return layout;
 }
 
-/// Five rows of a length and five genes from 0 to 1, as operators know them that were made for robots' shapes.
+/// Five rows of a length and five genes from 0 to 1, for operators made for robots' shapes.
 inline GenomeLayout shape_layout() {
   GenomeLayout layout;
   for (int i = 0; i < 30; ++i) layout.genes.push_back({"gene" + std::to_string(i), "1", GeneKind::real, 0.0, 1.0});
@@ -56,7 +54,7 @@ inline GenomeLayout shape_layout() {
   return layout;
 }
 
-/// Breeds as an experiment would: now and then a crossover, always one gene anew.
+/// Breeds like an experiment: sometimes a crossover, always one new gene.
 class PlainBreeder : public Breeder {
  public:
   explicit PlainBreeder(const GenomeLayout& layout) : layout_(layout) {}
@@ -79,7 +77,7 @@ class PlainBreeder : public Breeder {
   const GenomeLayout& layout_;
 };
 
-/// Squared distance from a genome of the layout, each gene in its range, some counting more than others; 0 at best.
+/// Squared distance from a genome of the layout, each gene relative to its range, with different weights; 0 at best.
 inline double distance(const GenomeLayout& layout, const Genome& genome) {
   double sum = 0.0;
   for (std::size_t i = 0; i < genome.size(); ++i) {

@@ -54,13 +54,13 @@ std::string packed(const CheckResult& result) {
   return json_of(result).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// What a child found, or what became of it.
+/// The result of a child process, or how it ended.
 CheckResult unpacked(const std::string& check, const ChildAnswer& answer) {
   if (answer.death.empty()) return check_result_of(answer.answer);
   return failed(check, kEndedReason, (answer.call.empty() ? "its code" : answer.call) + " " + answer.death);
 }
 
-/// Carries out the checks of one component, each in a child of its own.
+/// Carries out the checks of one component, each in a separate child process.
 class ComponentSeries {
  public:
   ComponentSeries(const ComponentEntry& entry, const PluginLibrary& library, const ExerciseInputs& inputs)
@@ -82,7 +82,7 @@ class ComponentSeries {
     return checks;
   }
 
-  /// In a child of its own; nothing where it has none.
+  /// In a separate child process; nothing where it has no numbers.
   std::optional<std::string> digest() {
     const std::vector<ChildAnswer> answers = ask_in_child(
         1, [&](std::size_t) { return transcript_digest(entry_, origin_, inputs_); }, kSecondsOfACheck);
@@ -108,7 +108,7 @@ bool is_steady(ComponentChecks& checks) {
   return result != nullptr && result->outcome == CheckOutcome::passed;
 }
 
-/// Adds to the check of determinism, which it has passed, what another process gave.
+/// Adds the numbers of another process to the check of determinism, which the component has passed.
 void compare_processes(ComponentChecks& checks, const std::optional<std::string>& here, const std::string& there) {
   CheckResult* result = find_check(checks, "determinism");
   if (!here) return;

@@ -10,18 +10,18 @@
 
 namespace lacuna {
 
-/// Digests of what components give, by "kind name"; of one that cannot be exercised there is none.
+/// Digests of components' numbers, by "kind name"; none for a component that cannot be exercised.
 using TranscriptDigests = std::map<std::string, std::string>;
 
-/// Asks a process that was begun anew for the digests of a plugin, at other addresses and with other static objects.
+/// Asks a new process for the digests of a plugin, with other addresses and other static objects.
 using OtherProcess = std::function<TranscriptDigests()>;
 
-/// Checks a plugin library and each of its components: everything in child processes, which it may end or let wait;
-/// what a component does there is told, and this process goes on. Before the process has threads.
+/// Checks a plugin library and each of its components, everything in child processes, which the plugin may end or
+/// block; this process continues with the result. Call it before the process has threads.
 PluginChecks check_plugin(const std::filesystem::path& file, const ExerciseInputs& inputs,
                           const OtherProcess& other_process);
 
-/// What the other process answers with. Throws `Error` for a library that cannot be loaded.
+/// The answer of the other process. Throws `Error` for a library that cannot be loaded.
 TranscriptDigests transcript_digests(const std::filesystem::path& file, const ExerciseInputs& inputs);
 
 }  // namespace lacuna

@@ -8,10 +8,10 @@
 
 namespace lacuna {
 
-/// What the calls of a component gave, in their order, as numbers: what two goes are compared by, to the bit.
+/// The results of a component's calls, in their order, as numbers: two runs are compared by them, bit by bit.
 class Transcript {
  public:
-  /// Which numbers are no fault of what gave them: finite ones alone, infinite ones too, NaN too.
+  /// Which numbers are allowed: only finite ones, infinite ones too, NaN too.
   enum class May { be_finite, be_infinite, be_anything };
 
   /// `call`: a literal, as in "add_loads".
@@ -19,12 +19,13 @@ class Transcript {
   void add(const char* call, double number, May may = May::be_finite) { add(call, std::span(&number, 1), may); }
   void add_text(const char* call, std::string_view text);
 
-  std::size_t size() const { return count_; }  ///< numbers, texts not counted
-  /// The first call that gave a number that is none, or is infinite and may not be: "add_loads gave nan"; empty: none.
+  std::size_t size() const { return count_; }  ///< number of numbers, without texts
+  /// The first call that returned NaN, or an infinite number where none is allowed: "add_loads returned NaN"; empty:
+  /// none.
   const std::string& not_finite() const { return not_finite_; }
-  /// Of all numbers' bits and all texts.
+  /// Over all bits of numbers and all texts.
   std::string digest() const;
-  /// The first call that gave something else; empty: none did.
+  /// The first call with a different result; empty: none.
   static std::string first_difference(const Transcript& a, const Transcript& b);
 
  private:

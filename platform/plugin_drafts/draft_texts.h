@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// The files of the folder drafts/, which travel inside the program: text by name, without ".in".
+/// The files of the folder drafts/, compiled into the program: text by name, without ".in".
 const std::map<std::string, std::string>& draft_texts();
 
 }  // namespace lacuna

@@ -17,7 +17,7 @@ const DraftKind& kind_of(const std::string& noun) {
   return *found;
 }
 
-/// "robot format" as the files of its draft are called.
+/// "robot format" as in the file names of its draft.
 std::string file_word(std::string noun) {
   std::replace(noun.begin(), noun.end(), ' ', '_');
   return noun;

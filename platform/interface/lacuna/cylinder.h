@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// What robots of cylinders, and of capsules as far as they are said to be meant, have in common.
+/// Functions shared by robots of cylinders, and of capsules where stated.
 
 /// Moments of inertia of a solid cylinder along x about its centre; mass in kg, radius and length in m.
 inline InertiaSpec solid_cylinder(double mass, double radius, double length) {
@@ -16,9 +16,9 @@ inline InertiaSpec solid_cylinder(double mass, double radius, double length) {
   return {.xx = along, .yy = across, .zz = across};
 }
 
-/// Where a body's cylinder or capsule (that without its caps) ends, world frame, m.
+/// The ends of a body's cylinder, or of a capsule without its caps; world frame, m.
 struct CylinderEnds {
-  Eigen::Vector3d tail;  ///< where the shape's own −z points
+  Eigen::Vector3d tail;  ///< in the direction of the shape's −z
   Eigen::Vector3d head;
 };
 

@@ -12,14 +12,14 @@ struct Dual {
   double value = 0.0, by_position = 0.0, by_velocity = 0.0;
 
   Dual() = default;
-  Dual(double number) : value(number) {}  // implicit: numbers stand in laws as they are
+  Dual(double number) : value(number) {}  // implicit, so that laws may contain plain numbers
   Dual(double number, double d_position, double d_velocity)
       : value(number), by_position(d_position), by_velocity(d_velocity) {}
 
   static Dual position(double q) { return {q, 1.0, 0.0}; }
   static Dual velocity(double v) { return {v, 0.0, 1.0}; }
 
-  /// A function of this number, by its value and its slope there.
+  /// A function of this number, from its value and slope at the number.
   Dual through(double result, double slope) const { return {result, slope * by_position, slope * by_velocity}; }
 };
 

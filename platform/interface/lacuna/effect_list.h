@@ -16,7 +16,7 @@ struct EffectEntry {
   std::map<std::string, double> start;                          ///< values that differ from the declared defaults, SI
   std::vector<std::string> fixed;                               ///< parameters that are not free
   std::map<std::string, std::pair<double, double>> range = {};  ///< bounds narrower than the declared ones, SI
-  bool optional = false;  ///< a search whose encoding has switches may leave it out
+  bool optional = false;                                        ///< the switches of an encoding may leave it out
 };
 
 using EffectList = std::vector<EffectEntry>;

@@ -7,8 +7,8 @@
 
 namespace lacuna {
 
-/// For effects that act on a motor's force through its command: the actuator. Throws `Error` for a servo, whose
-/// command is a velocity or a position.
+/// For effects that act on a motor's force through its command: the actuator at an index. Throws `Error` for a servo,
+/// whose command is a velocity or a position.
 inline ActuatorSpec& actuator_of_force(RobotSpec& robot, int actuator) {
   ActuatorSpec& spec = robot.actuators[static_cast<std::size_t>(actuator)];
   if (spec.kind != ActuatorKind::force)
@@ -17,7 +17,7 @@ inline ActuatorSpec& actuator_of_force(RobotSpec& robot, int actuator) {
   return spec;
 }
 
-/// For effects that amend how bodies and ground touch. Throws `Error` for a robot without ground.
+/// For effects that amend the contact of bodies and ground. Throws `Error` for a robot without ground.
 inline ContactSpec& contact_with_ground(RobotSpec& robot) {
   if (!robot.contact.ground) throw Error("the robot has no ground; the effect needs contact.ground");
   return robot.contact;

@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// How much will be compared, so that denominators are known before the first sample.
+/// The size of a comparison, so that denominators are known before the first sample.
 struct ComparisonShape {
   std::size_t trials = 0;
   std::size_t samples = 0;  ///< of all trials together
@@ -20,9 +20,9 @@ struct ComparisonShape {
 class ScoreAccumulator {
  public:
   virtual ~ScoreAccumulator() = default;
-  /// One sample: a value a channel, channel units; NaN in `measured` counts for nothing.
+  /// One sample: one value per channel, in channel units; NaN in `measured` is left out.
   virtual void add(std::span<const double> predicted, std::span<const double> measured) = 0;
-  /// The smallest final score that is still possible; never falls.
+  /// The smallest final score that is still possible; never decreases.
   virtual double bound() const = 0;
   virtual double score() const = 0;
   virtual void reset() = 0;

@@ -8,10 +8,10 @@
 
 namespace lacuna {
 
-/// Adds a force that is a smooth function of a joint's position and velocity, law(q, v), with its slopes where it
-/// falls. Down a law as steep and short as tanh(v/0.001) the slope of the chord to v = 0 is taken where that is more,
-/// so that a step brings a joint at most to rest. `law` takes and returns `Dual`; for sgn(v) as a factor there is
-/// `add_force_along_motion`.
+/// Adds a force that is a smooth function law(q, v) of a joint's position and velocity, with its slopes where it
+/// decreases. For a law as steep and short as tanh(v/0.001) the slope of the chord to v = 0 is used where it is
+/// steeper, so that a step brings the joint at most to rest. `law` takes and returns `Dual`; for sgn(v) as a factor
+/// there is `add_force_along_motion`.
 template <class Law>
 void add_force_law(JointLoad& load, double q, double v, const Law& law) {
   const Dual force = law(Dual::position(q), Dual::velocity(v));
@@ -22,8 +22,8 @@ void add_force_law(JointLoad& load, double q, double v, const Law& law) {
   load.stiffness += std::max(0.0, -force.by_position);
 }
 
-/// Adds the force `along`·sgn(v) to a joint's load: as dry friction, which sticks without chatter, where it is against
-/// the motion, as a force where it drives.
+/// Adds the force `along`·sgn(v) to a joint's load: as dry friction, which sticks without chatter, where it opposes the
+/// motion; as a force where it drives.
 inline void add_force_along_motion(JointLoad& load, double v, double along) {
   if (along <= 0.0)
     load.add_friction(-along);

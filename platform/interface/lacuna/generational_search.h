@@ -15,9 +15,9 @@
 
 namespace lacuna {
 
-/// What most searches share, for authors of search plugins: counting, numbering, checking, saving. A search that
-/// derives from this says which genomes come next (`do_ask`) and what their scores mean (`do_tell`), and keeps what it
-/// keeps in `kept()`. All random numbers come from `stream(index)`, so that asking again after `load` gives the same.
+/// Common part of most searches, for authors of search plugins: counting, numbering, checking, saving. A derived search
+/// chooses the next genomes (`do_ask`), uses their scores (`do_tell`), and holds its best individuals in `kept()`. All
+/// random numbers come from `stream(index)`, so that asking again after `load` gives the same.
 class GenerationalSearch : public Search {
  public:
   /// `task` is copied; what it refers to must outlive the search.
@@ -34,7 +34,7 @@ class GenerationalSearch : public Search {
     return asked_;
   }
 
-  /// NaN counts as infinite. Throws `Error` where there is not one score for each individual asked.
+  /// NaN counts as infinite. Throws `Error` where the number of scores is not that of the individuals asked.
   void tell(std::span<const double> scores) final {
     if (asked_.empty() || scores.size() != asked_.size())
       throw Error("the search received " + std::to_string(scores.size()) + " scores; it asked for " +
@@ -76,7 +76,7 @@ class GenerationalSearch : public Search {
 
  protected:
   const SearchTask& task() const { return task_; }
-  /// In the order that the search wants; `best` sorts a copy.
+  /// In any order; `best` sorts a copy.
   const std::vector<ScoredIndividual>& kept() const { return kept_; }
   std::vector<ScoredIndividual>& kept() { return kept_; }
   /// The random numbers of an individual: of the task's key, the generation and the individual's index in it.
@@ -85,12 +85,12 @@ class GenerationalSearch : public Search {
     key.insert(key.end(), {generation_, index});
     return RandomStream(key);
   }
-  /// A genome of the first generation: a seed as long as there are some, then a random one.
+  /// A genome of the first generation: the seeds first, then random genomes.
   Genome first_genome(std::size_t index) const {
     RandomStream random = stream(index);
     return index < task_.seeds.size() ? task_.seeds[index] : task_.breeder.random(random);
   }
-  /// Of two with the same score the older one is the better.
+  /// Of two individuals with the same score the older one is better.
   static bool better(const ScoredIndividual& a, const ScoredIndividual& b) {
     return a.score != b.score ? a.score < b.score : a.individual.number < b.individual.number;
   }
@@ -100,17 +100,17 @@ class GenerationalSearch : public Search {
   virtual std::vector<Individual> do_ask() = 0;
   /// The same individuals with their scores, none of them NaN.
   virtual void do_tell(std::vector<ScoredIndividual> told) = 0;
-  /// Whether `do_tell` has ended the generation; a search whose individuals wait for the scores of others asks for one
+  /// Whether `do_tell` has completed the generation. A search whose individuals depend on scores of others asks for one
   /// generation in parts.
   virtual bool generation_over() const { return true; }
-  /// What a search remembers besides `kept()`.
+  /// The memory of a search besides `kept()`.
   virtual void do_save(SearchStateWriter&) const {}
   virtual void do_load(SearchStateReader&) {}
 
   SearchTask task_;
   std::uint64_t generations_;
   std::uint64_t generation_ = 0;
-  std::uint64_t numbered_ = 0;  // individuals of the generations before
+  std::uint64_t numbered_ = 0;  // individuals in earlier generations
   std::vector<ScoredIndividual> kept_;
   std::vector<Individual> asked_;
 };

@@ -15,16 +15,16 @@ enum class GeneKind {
   integer,  ///< a whole number within the bounds
 };
 
-/// What one number of a genome may be.
+/// The allowed values of one number of a genome.
 struct Gene {
-  std::string name;  ///< an address such as "body.torso.mass", or what an encoding calls it
-  std::string unit;  ///< "1" where it has none
+  std::string name;  ///< an address such as "body.torso.mass", or a name from the encoding
+  std::string unit;  ///< "1" for no unit
   GeneKind kind = GeneKind::real;
   double lower = 0.0;
   double upper = 1.0;
 };
 
-/// The genes of every genome of one encoding. Mutations and searches see this and nothing of what a genome means.
+/// The genes of every genome of one encoding. Mutations and searches know only this, not the meaning of a genome.
 struct GenomeLayout {
   std::vector<Gene> genes;
   /// Genes that belong together, such as those of one body part: `row` genes each; 0: no rows. A crossover does not
@@ -34,17 +34,17 @@ struct GenomeLayout {
   std::size_t size() const { return genes.size(); }
 };
 
-/// One value a gene, in the layout's order.
+/// One value per gene, in the layout's order.
 using Genome = std::vector<double>;
 
-/// Uniform within a gene's bounds; a whole number where the gene is one.
+/// Uniformly distributed within a gene's bounds; a whole number for a whole-number gene.
 inline double uniform_value(const Gene& gene, RandomStream& random) {
   if (gene.kind == GeneKind::real) return random.uniform(gene.lower, gene.upper);
   return gene.lower + static_cast<double>(random.index(static_cast<std::size_t>(gene.upper - gene.lower) + 1));
 }
 
-/// A value that may have left a gene's bounds, brought back: reflected at them as often as it takes, then rounded where
-/// the gene is a whole number. NaN stays NaN.
+/// A value that may have left a gene's bounds, brought back: reflected at the bounds as often as needed, then rounded
+/// for a whole-number gene. NaN stays NaN.
 inline double reflected_value(const Gene& gene, double value) {
   const double range = gene.upper - gene.lower;
   if (!(range > 0.0)) return gene.lower;

@@ -12,13 +12,13 @@
 
 namespace lacuna {
 
-/// Reads one JSON value into a tree. Besides what JSON allows (RFC 8259) `NaN`, `Infinity` and `-Infinity` are numbers,
-/// as some programs write them. true and false are 1 and 0.
+/// Reads one JSON value into a tree. In addition to JSON (RFC 8259), `NaN`, `Infinity` and `-Infinity` are numbers,
+/// because some programs write them. true and false are 1 and 0.
 class JsonTree {
  public:
   static constexpr std::size_t kDeepest = 64;
 
-  /// What is wrong with `text`, half a sentence; empty: nothing. Views in the tree are of `text`.
+  /// The fault of `text`, half a sentence; empty: none. Views in the tree refer to `text`.
   std::string read(std::string_view text, ValueTree& tree) {
     begin_ = next_ = text.data();
     end_ = text.data() + text.size();
@@ -163,7 +163,7 @@ class JsonTree {
     return next_ != digits;
   }
 
-  /// From `start` to `next_`. One with many digits before its point keeps all of them.
+  /// From `start` to `next_`. A number with many digits before its point keeps all of them.
   LongNumber number_of(const char* start, const char* whole_end, bool has_exponent, bool is_long) const {
     LongNumber number;
     if (!has_exponent && (is_long || whole_end == next_) &&
@@ -214,7 +214,7 @@ class JsonTree {
     return true;
   }
 
-  /// A code point beyond 0xffff is written as two code units; a half that is alone becomes a question mark.
+  /// A code point beyond 0xffff is written as two code units; a single half becomes a question mark.
   bool read_code_unit(std::string& into) {
     unsigned code = 0;
     if (!read_hex(code)) return fail("a text has \\u without four hexadecimal digits");

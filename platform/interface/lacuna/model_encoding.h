@@ -18,42 +18,41 @@ struct FreeParameter {
   std::string unit;     ///< SI
   double lower = 0.0;
   double upper = 0.0;
-  double start = 0.0;  ///< where nothing is known better
+  double start = 0.0;  ///< default value
   Scale scale = Scale::linear;
 };
 
 /// An effect of the experiment's model.
 struct ModelEffect {
   std::string id;
-  bool optional = false;            ///< a model may do without it
+  bool optional = false;            ///< a model may leave it out
   std::vector<std::size_t> values;  ///< its parameters, as indices into `ModelSpace::free`
 };
 
-/// What an encoding's models are made from.
+/// The parts from which an encoding makes models.
 struct ModelSpace {
-  const RobotSpec& robot;                 ///< the experiment's robot, start values in place
-  std::vector<FreeParameter> free;        ///< what the experiment frees, effects' parameters included
+  const RobotSpec& robot;                 ///< the experiment's robot, with start values
+  std::vector<FreeParameter> free;        ///< the experiment's free parameters, including those of effects
   std::vector<ModelEffect> effects = {};  ///< of the experiment's model, in its order
 };
 
-/// A model as a genome says it: values for what the experiment frees, the effects that it does without and, of an
-/// encoding that builds robots, the robot that takes the place of the experiment's.
+/// A model from a genome: values of the free parameters, the effects that it leaves out, and, for an encoding that
+/// builds robots, the robot that replaces the experiment's.
 struct ModelProposal {
   std::vector<double> values;  ///< of `ModelSpace::free`, in its order, SI, within their bounds
   /// None: the experiment's robot. Otherwise one with the same bodies, joints, actuators and sensors, by name, kind and
-  /// in order, so that channels, effects and addresses keep their meaning; where they are and what hangs on what may
-  /// differ, but sensors and actuators of joints stay on joints of their kind. Shared: a model that is handed on
-  /// outlives the genome it came from.
+  /// order, so that channels, effects and addresses keep their meaning. Positions and attachments may differ, but
+  /// sensors and actuators of joints stay on joints of their kind. Shared: a model may outlive the genome it came from.
   std::shared_ptr<const RobotSpec> robot = nullptr;
-  /// Effects that the model does without, as ascending indices into `ModelSpace::effects`, optional ones alone; what
-  /// `values` says of their parameters means nothing.
+  /// Optional effects that the model leaves out, as ascending indices into `ModelSpace::effects`; the `values` of their
+  /// parameters are not used.
   std::vector<std::size_t> without = {};
-  /// Which hypothesis the model is of: a tree of parts, a set of effects. Models of different structures are rivals, of
-  /// which the algorithm keeps the best of each; empty: there is only one. Short, for people to read.
+  /// The hypothesis of the model: a tree of parts, a set of effects. Models of different structures are alternatives,
+  /// and the algorithm keeps the best of each; empty: there is only one structure. A short text for people.
   std::string structure = {};
 };
 
-/// What a genome of models means. Const and shared by threads; the same genome gives the same model.
+/// Decodes genomes of models. Const and shared by threads; the same genome gives the same model.
 class ModelEncoding {
  public:
   virtual ~ModelEncoding() = default;
@@ -61,14 +60,14 @@ class ModelEncoding {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Throws `Error` where the space has nothing to encode: without free parameters an encoding of values, without
-  /// optional effects one that switches them, without bodies and joints one of robots.
+  /// Throws `Error` where the space has nothing to encode: no free parameters for an encoding of values, no optional
+  /// effects for one of switches, no bodies and joints for one of robots.
   virtual GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const = 0;
-  /// A genome of a random model; uniform within the genes' bounds unless an encoding knows better.
+  /// A genome of a random model; uniform within the genes' bounds unless the encoding has a better distribution.
   virtual Genome random(const GenomeLayout& layout, RandomStream& random) const {
     return uniform_genome(layout, random);
   }
-  /// The model of a genome that fits the layout. Two genomes with equal proposals are one phenotype.
+  /// The model of a genome that matches the layout. Two genomes with equal proposals have the same phenotype.
   virtual ModelProposal decode(const ModelSpace& space, std::span<const double> parameters,
                                std::span<const double> genome) const = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// Makes a genome from one or several others. Const and shared by threads; the same arguments and stream give the same
+/// Makes a genome from one or more others. Const and shared by threads; the same arguments and stream give the same
 /// child.
 class MutationOperator {
  public:
@@ -18,9 +18,9 @@ class MutationOperator {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// How many genomes a child is made from; a crossover takes two.
+  /// Number of genomes from which a child is made; 2 for a crossover.
   virtual std::size_t parents() const { return 1; }
-  /// `parents`: as many as `parents()` says, each fitting the layout. The child fits it, too.
+  /// `parents`: as many as `parents()` returns, each matching the layout. The child matches it, too.
   virtual Genome vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
                       RandomStream& random) const = 0;
 };

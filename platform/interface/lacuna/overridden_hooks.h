@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// Whether a class overrides a hook, told by the class that its member belongs to: `&Effect::add_loads` is a member
-/// of `PhysicalEffect` unless the class, or one between the two, has its own.
+/// Whether a class overrides a hook, determined by the class of its member: `&Effect::add_loads` is a member of
+/// `PhysicalEffect` unless the class or a base class between the two overrides it.
 template <class Effect, class Own, class Result, class... Arguments>
 consteval bool overrides(Own, Result (PhysicalEffect::*)(Arguments...) const) {
   static_assert(std::is_convertible_v<Own, Result (Effect::*)(Arguments...) const>,
@@ -16,7 +16,7 @@ consteval bool overrides(Own, Result (PhysicalEffect::*)(Arguments...) const) {
   return !std::is_same_v<Own, Result (PhysicalEffect::*)(Arguments...) const>;
 }
 
-/// Whether the hooks of a class can be looked at: they are public, and none is overloaded.
+/// Whether the hooks of a class can be inspected: they are public, and none is overloaded.
 template <class Effect>
 concept HooksVisible = requires {
   &Effect::amend;

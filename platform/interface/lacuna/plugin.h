@@ -18,12 +18,11 @@
 #include <cstdint>
 #include <type_traits>
 
-/// The border between host and plugin. A plugin library exports one C symbol,
-/// `lacuna_plugin`, that returns a `PluginTable`: plain data that the host checks before it
-/// calls any C++ of the library. `LACUNA_PLUGIN` writes both.
+/// The border between host and plugin. A plugin library exports one C symbol, `lacuna_plugin`, which returns a
+/// `PluginTable`: plain data that the host checks before it calls any C++ of the library. `LACUNA_PLUGIN` defines both.
 namespace lacuna {
 
-/// Raised by every change of this folder that a built plugin would notice.
+/// Raised by every change in this folder that affects built plugins.
 inline constexpr std::uint32_t kInterfaceVersion = 12;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
@@ -73,7 +72,7 @@ struct PluginTable {
 
 #define LACUNA_LAYOUT_(type) \
   TypeLayout { #type, sizeof(type), alignof(type) }
-/// Size and alignment of every type that crosses the border.
+/// Size and alignment of every type that host and plugin exchange.
 inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(std::string),
     LACUNA_LAYOUT_(Eigen::Vector3d),
@@ -128,7 +127,7 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
 };
 #undef LACUNA_LAYOUT_
 
-/// What an interface class is called in a plugin's table (`name`) and in messages (`noun`).
+/// The names of an interface class in a plugin's table (`name`) and in messages (`noun`).
 template <class Interface>
 struct ComponentKind;
 template <>
@@ -207,7 +206,7 @@ constexpr ComponentEntry component(const char* name) {
 
 }  // namespace lacuna
 
-/// Stands once in a plugin library, outside any namespace, with its components as arguments.
+/// Used once in a plugin library, outside any namespace, with its components as arguments.
 #define LACUNA_PLUGIN(...)                                                                                        \
   extern "C" __attribute__((visibility("default"))) const lacuna::PluginTable* lacuna_plugin() {                  \
     static constexpr lacuna::ComponentEntry components[] = {__VA_ARGS__};                                         \

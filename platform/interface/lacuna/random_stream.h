@@ -8,11 +8,10 @@
 
 namespace lacuna {
 
-/// Random numbers that depend on a key alone: (run seed, phase, pass, generation, individual), say. Two streams
-/// with different keys have nothing to do with each other, so that whoever draws first makes no difference, and
-/// no state need be stored to go on. Philox-like use of splitmix64 (Steele, Lea and Flood, 2014): the key is
-/// scrambled into a start, and a counter is scrambled from there. Satisfies
-/// `std::uniform_random_bit_generator`; not for secrets. One thread at a time.
+/// Random numbers that depend only on a key, such as (run seed, phase, pass, generation, individual). Streams with
+/// different keys are independent, so the order of drawing does not matter and no state need be stored to continue.
+/// Philox-like use of splitmix64 (Steele, Lea and Flood, 2014): the key is scrambled into a start, and a counter is
+/// scrambled from there. Satisfies `std::uniform_random_bit_generator`; not for secrets. One thread at a time.
 class RandomStream {
  public:
   using result_type = std::uint64_t;
@@ -28,7 +27,7 @@ class RandomStream {
   /// Uniform in (0, 1).
   double uniform() { return (static_cast<double>((*this)() >> 11) + 0.5) * 0x1.0p-53; }
   double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
-  /// Uniform in 0 ... count − 1; `count` is far below 2⁵³.
+  /// Uniform in 0 ... count − 1; `count` must be far below 2⁵³.
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(uniform() * static_cast<double>(count)); }
   bool chance(double probability) { return uniform() < probability; }
   /// Mean 0, standard deviation 1 (Box and Muller, 1958).

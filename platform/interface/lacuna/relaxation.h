@@ -4,8 +4,8 @@
 
 namespace lacuna {
 
-/// dz/dt = input − decay·z through a step, exactly, for an input and a decay that do not change in it:
-/// z after = carried·z + gained·input, mean of z over the step = mean_carried·z + mean_gained·input.
+/// Exact solution of dz/dt = input − decay·z over a step with constant input and decay: z after = carried·z +
+/// gained·input, mean of z over the step = mean_carried·z + mean_gained·input.
 struct Relaxation {
   double carried = 1.0, gained = 0.0;            ///< 1, s
   double mean_carried = 1.0, mean_gained = 0.0;  ///< 1, s
@@ -20,8 +20,8 @@ struct Relaxation {
   }
 };
 
-/// At which share of a step an oscillation's forces are taken so that it keeps its amplitude where the step resolves it
-/// and decays, without alternating, where not. `angle`: angular frequency times step, rad.
+/// The share of a step at which an oscillation's forces are evaluated so that it keeps its amplitude where the step
+/// resolves it, and decays without alternating where not. `angle`: angular frequency times step, rad.
 inline double share_of_step(double angle) { return angle * angle > 0.5 ? 1.0 - 0.25 / (angle * angle) : 0.5; }
 
 }  // namespace lacuna

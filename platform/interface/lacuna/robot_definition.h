@@ -7,10 +7,10 @@
 
 namespace lacuna {
 
-/// What a robot is made from.
+/// The input of a robot definition.
 struct RobotRequest {
   std::span<const double> parameters;   ///< one value for each of `parameters()`, in its order, SI
-  const RobotSpec* declared = nullptr;  ///< the robot file's content where the experiment names one, else null
+  const RobotSpec* declared = nullptr;  ///< the content of the robot file that the experiment names, else null
 };
 
 /// Makes a robot. Const and shared by threads; the same request gives the same robot.
@@ -21,7 +21,7 @@ class RobotDefinition {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Throws `Error` where the request cannot become a robot.
+  /// Throws `Error` where no robot can be made from the request.
   virtual RobotSpec build(const RobotRequest& request) const = 0;
 };
 

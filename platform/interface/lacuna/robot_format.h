@@ -8,76 +8,76 @@
 
 namespace lacuna {
 
-/// Texts that lie in the folder of a robot file or below it. The host reads them, refuses paths that lead elsewhere,
-/// and limits how much is read.
+/// Texts in the folder of a robot file or below it. The host reads them, refuses paths that lead elsewhere, and limits
+/// the amount read.
 class FilesBeside {
  public:
   virtual ~FilesBeside() = default;
 
-  /// Of the file that `path` names, from the robot file's folder on, "parts/arm.xml". Nothing where there is none that
-  /// may be read.
+  /// The text of the file `path`, relative to the robot file's folder, "parts/arm.xml". Nothing where no readable file
+  /// exists.
   virtual std::optional<std::string> text_of(const std::string& path) const = 0;
 };
 
-/// What becomes of the body that everything hangs on.
+/// The attachment of the root body.
 enum class RobotBase {
-  as_written,  ///< what the file says, or what is usual in the format
-  held,        ///< the world holds it
+  as_written,  ///< as in the file, or as usual in the format
+  held,        ///< fixed to the world
   free         ///< it floats
 };
 
-/// A robot file of others as it stands.
+/// A robot file of another program, unchanged.
 struct RobotText {
-  std::string name;  ///< of the file, without its folder
+  std::string name;  ///< file name without its folder
   std::string text;
   RobotBase base = RobotBase::as_written;
-  const FilesBeside* beside = nullptr;  ///< null: there are no others
+  const FilesBeside* beside = nullptr;  ///< null: no other files
 };
 
-/// What a reader of robot files did with something that stands there.
+/// What the reader did with an element of the file.
 enum class RobotRemarkKind {
-  guessed,   ///< it is not written, and something usual is taken
-  repaired,  ///< what is written cannot be, and the nearest that can is taken
-  left_out   ///< the program, or the format, has no place for it
+  guessed,   ///< a value is missing, and a usual one is used
+  repaired,  ///< a value is impossible, and the nearest possible one is used
+  left_out   ///< the program, or the format, does not support it
 };
 
 struct RobotRemark {
   RobotRemarkKind kind = RobotRemarkKind::left_out;
   int line = 0;           ///< from 1; 0: the whole file
-  std::string text;       ///< a sentence without its end
-  std::string file = {};  ///< one that lies beside the file and is part of it, as `FilesBeside` has it; empty: the file
+  std::string text;       ///< a sentence without a full stop
+  std::string file = {};  ///< another file that is part of this one, as in `FilesBeside`; empty: the file
 };
 
-/// What makes a file unusable, with its line, from 1; 0: the whole file.
+/// A problem that makes a file unusable, with its line, from 1; 0: the whole file.
 struct RobotFileProblem {
   int line = 0;
   std::string text;       ///< where, what, and what to do
-  std::string file = {};  ///< as of a remark
+  std::string file = {};  ///< as in a remark
 };
 
-/// A robot file, read. Of one with problems the robot means nothing.
+/// A robot that was read from a file. With problems the robot is invalid.
 struct ReadRobot {
   RobotSpec robot;
   std::vector<RobotRemark> remarks;
   std::vector<RobotFileProblem> problems;
 };
 
-/// A robot that is to become a file.
+/// A robot to be written to a file.
 struct RobotToWrite {
   RobotSpec robot;
-  std::optional<RobotText> original;  ///< a file of this format that it was read from, and whose rest is to stay
-  std::string comment;                ///< for the head of the file, in lines; the format's own marks come to it
+  std::optional<RobotText> original;  ///< the file of this format from which it was read, whose other content is kept
+  std::string comment;                ///< comment lines for the head of the file, without the format's comment marks
 };
 
-/// A robot file, made. With problems there is no text.
+/// A robot written as text. With problems there is no text.
 struct WrittenRobot {
   std::string text;
-  std::vector<RobotRemark> remarks;  ///< what the format has no place for; lines do not count
+  std::vector<RobotRemark> remarks;  ///< content that the format does not support; its lines are not used
   std::vector<RobotFileProblem> problems;
 };
 
 /// Reads robot files of one format, and may write them: `[model] file = "arm.urdf"`, `lacuna export --urdf`. Const and
-/// shared by threads; the same text gives the same robot. No file but the given texts is opened, and nothing of them is
+/// shared by threads; the same text gives the same robot. Only the given texts are read, and nothing in them is
 /// executed.
 class RobotFormat {
  public:
@@ -85,13 +85,13 @@ class RobotFormat {
 
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
-  /// Endings of such files, ".urdf". A file of another ending is none, whatever is in it.
+  /// File endings such as ".urdf". Files with other endings are not read, whatever they contain.
   virtual std::vector<std::string> endings() const = 0;
-  /// Whether a text with such an ending is meant to be of this format; asked where several formats have the ending.
+  /// Whether a text is of this format; used where several formats have the same ending.
   virtual bool is_meant(const std::string& /*text*/) const { return true; }
   virtual ReadRobot read(const RobotText& file) const = 0;
-  /// Values that the format has a place for are to come back, when the text is read, as the same numbers. An original
-  /// keeps its comments, its order and what models have no place for. By default a format cannot write.
+  /// Values that the format supports must be the same numbers when the text is read again. An original keeps its
+  /// comments, its order and its other content. By default a format cannot write.
   virtual WrittenRobot write(const RobotToWrite& /*robot*/) const {
     return {{}, {}, {{0, "this format can be read, not written", {}}}};
   }

@@ -15,7 +15,7 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// SI units, radians; world frame z up, x forward, y left. All poses and anchors are
 /// those of the zero configuration, in which every joint position is zero.
 
-/// The parent's name of a joint that holds its child to the world.
+/// The name of the parent where a joint fixes its child to the world.
 inline constexpr const char* kWorld = "world";
 
 enum class ShapeKind { box, sphere, capsule, cylinder };
@@ -41,7 +41,7 @@ struct BodySpec {
   double mass = 1.0;                   ///< kg
   Eigen::Vector3d com{0.0, 0.0, 0.0};  ///< centre of mass in the body frame, m
   InertiaSpec inertia;
-  bool inertia_scales_with_mass = true;                             ///< setting the mass alone scales `inertia` with it
+  bool inertia_scales_with_mass = true;                             ///< setting only the mass scales `inertia` with it
   Eigen::Vector3d position{0.0, 0.0, 0.0};                          ///< origin of the body frame in the world, m
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world
   std::vector<ShapeSpec> shapes;                                    ///< empty: touches nothing
@@ -74,8 +74,8 @@ struct JointSpec {
   double force = 0.0;         ///< constant generalised force, N·m or N
 };
 
-/// What lies between a motor and its joint. A rigid one (infinite stiffness) reflects
-/// `rotor_inertia`·ratio² to the joint; with finite stiffness the rotor is a state of its own.
+/// The transmission between a motor and its joint. A rigid one (infinite stiffness) reflects `rotor_inertia`·ratio² to
+/// the joint; with finite stiffness the rotor has its own state.
 struct TransmissionSpec {
   double ratio = 1.0;            ///< motor turns per joint turn
   double rotor_inertia = 0.0;    ///< at the motor shaft, kg·m² (kg on a slider)
@@ -92,43 +92,44 @@ enum class ActuatorKind {
   voltage,  ///< command is a voltage U on a motor; torque = kt·(U − back_emf·kt·v)/R, |U| ≤ duty_limit·supply
   voltage_servo,  ///< command is a position; the same of the voltage duty·supply, |duty| ≤ duty_limit, where
                   ///< duty = gain_unit·(kp·(command − q) − kd·v)
-  motion          ///< command is the velocity that is imposed on the joint, whatever force it takes
+  motion          ///< command is a velocity that is imposed on the joint with any force that this needs
 };
 
-/// A motor that is driven by a voltage; all at the joint, the transmission included.
+/// A motor driven by a voltage; all values at the joint, including the transmission.
 struct MotorSpec {
   double torque_constant = 0.0;  ///< kt, N·m/A or N/A
   double resistance = 1.0;       ///< R, Ohm
-  double back_emf = 1.0;         ///< voltage per velocity over the torque constant; 1: nothing is lost in between
+  double back_emf = 1.0;         ///< voltage per velocity over the torque constant; 1: no losses in between
   double supply = kInfinity;     ///< V; a servo's must be finite
-  double duty_limit = 1.0;       ///< largest share of the supply that the driver puts out
-  double gain_unit = 1.0;        ///< what one count of a servo's kp stands for: share of the supply per rad or m
-  double sample_time = 0.0;      ///< s; a servo reads its position so often and holds the voltage; 0: at all times
+  double duty_limit = 1.0;       ///< largest share of the supply voltage that the driver can apply
+  double gain_unit = 1.0;        ///< meaning of one count of a servo's kp: share of the supply voltage per rad or m
+  double sample_time =
+      0.0;  ///< s; interval at which a servo reads its position and updates the voltage; 0: continuously
 };
 
 struct ActuatorSpec {
   std::string name;
   std::string joint;  ///< a hinge, a slider, or a universal joint, whose first coordinate it drives
   ActuatorKind kind = ActuatorKind::force;
-  double gain = 1.0;                  ///< multiplies the command before anything else
-  bool relative = false;              ///< the command has no unit: `gain` makes a position or force of a share of 1
-  double offset = 0.0;                ///< added to the command after the gain, in its unit
-  double delay = 0.0;                 ///< s
-  double kp = 0.0;                    ///< N·m/rad or N/m
-  double ki = 0.0;                    ///< N·m/(rad·s) or N/(m·s)
-  double kd = 0.0;                    ///< N·m·s/rad or N·s/m
-  double force_limit = kInfinity;     ///< joint side, N·m or N
+  double gain = 1.0;               ///< multiplies the command first
+  bool relative = false;           ///< the command has no unit: `gain` converts a share of 1 into a position or force
+  double offset = 0.0;             ///< added to the command after the gain, in its unit
+  double delay = 0.0;              ///< s
+  double kp = 0.0;                 ///< N·m/rad or N/m
+  double ki = 0.0;                 ///< N·m/(rad·s) or N/(m·s)
+  double kd = 0.0;                 ///< N·m·s/rad or N·s/m
+  double force_limit = kInfinity;  ///< joint side, N·m or N
   double command_lower = -kInfinity;  ///< commands are clipped to this range
   double command_upper = kInfinity;
-  /// The supply sags: with P, the force that the actuator would exert at rest on a supply that does not, the force is
-  /// (P − back-EMF's part)/(1 + supply_sag·|P|); 1/(N·m) or 1/N. Not of kind motion.
+  /// The supply sags: with P, the force that the actuator would exert at rest on a supply that does not sag, the force
+  /// is (P − back-EMF part)/(1 + supply_sag·|P|); 1/(N·m) or 1/N. Not of kind motion.
   double supply_sag = 0.0;
   TransmissionSpec transmission;
-  MotorSpec motor;  ///< of kinds voltage and voltage_servo
+  MotorSpec motor;  ///< for the kinds voltage and voltage_servo
 };
 
 enum class SensorKind {
-  joint_position,         ///< rad or m, turns counted
+  joint_position,         ///< rad or m, counting turns
   joint_velocity,         ///< rad/s or m/s
   joint_force,            ///< of actuators and joint laws along the coordinate in the last step (0 at first), N·m or N
   touch,                  ///< +1 while the body touches the ground, −1 otherwise
@@ -139,10 +140,10 @@ enum class SensorKind {
   beacon_range,           ///< distance of the body frame's origin to `beacon`, m
   contact_force,          ///< force of the ground on the body in the last step (0 at first), world, N: x, y, z
   drive_force,            ///< of actuators alone along the coordinate in the last step (0 at first), N·m or N
-  link_angle,             ///< of a hinge's child about its axis, from the zero configuration, turns counted, rad
+  link_angle,             ///< angle of a hinge's child about its axis, from the zero configuration, counting turns, rad
   link_velocity,          ///< its rate, rad/s
-  accelerometer  ///< acceleration of the point `at` of a body less gravity, along the body's axes, over the last
-                 ///< step (at first as if at rest), m/s²: x, y, z
+  accelerometer  ///< acceleration of the point `at` of a body minus gravity, along the body's axes, over the last step
+                 ///< (at first as if at rest), m/s²: x, y, z
 };
 
 /// A sensor reads `element` (a joint's or a body's name). Its channels are called by its
@@ -153,10 +154,10 @@ struct SensorSpec {
   SensorKind kind = SensorKind::joint_position;
   std::string element;
   Eigen::Vector3d beacon{0.0, 0.0, 0.0};  ///< world, m
-  Eigen::Vector3d at{0.0, 0.0, 0.0};      ///< of an accelerometer: where it is, in the body frame, m
+  Eigen::Vector3d at{0.0, 0.0, 0.0};      ///< position of an accelerometer in the body frame, m
   double delay = 0.0;                     ///< s; before the start the initial value is read
   double scale = 1.0;
-  bool relative = false;  ///< the channels have no unit: `scale` makes a share of 1 of what is read
+  bool relative = false;  ///< the channels have no unit: `scale` converts the quantity into a share of 1
   double offset = 0.0;    ///< in the channel's unit
   double noise = 0.0;     ///< standard deviation of white noise, channel's unit
   double quantum = 0.0;   ///< step of the quantiser, channel's unit; 0: none
@@ -165,19 +166,19 @@ struct SensorSpec {
 /// Contact of bodies with the ground, a spring–damper of the given constants with a
 /// Coulomb friction cone.
 struct ContactSpec {
-  bool ground = false;           ///< is there a ground plane z = 0 (tilted by `slope`)?
+  bool ground = false;           ///< whether there is a ground plane z = 0 (tilted by `slope`)
   double stiffness = kInfinity;  ///< N/m, infinite: rigid
   double damping = 0.0;          ///< N·s/m
   double friction = kInfinity;   ///< Coulomb's μ, 1
   double slope = 0.0;            ///< ground rotated about y, rad; positive descends along +x
-  double impact_damping = 0.0;   ///< damping over elastic force, of a contact that is not rigid, s/m
-  double restitution = 0.0;      ///< normal velocity after an impact over that before, of a rigid contact, 0 to 1
-  double rolling_lever = 0.0;    ///< largest moment against rolling over the normal force, m
-  double creep = 0.0;            ///< sliding velocity per tangential force of a contact point, m/(N·s)
+  double impact_damping = 0.0;   ///< damping force over elastic force, of a contact that is not rigid, s/m
+  double restitution = 0.0;    ///< normal velocity after an impact over the velocity before, of a rigid contact, 0 to 1
+  double rolling_lever = 0.0;  ///< largest moment against rolling over the normal force, m
+  double creep = 0.0;          ///< sliding velocity per tangential force of a contact point, m/(N·s)
 };
 
-/// Two coordinates that a gear, a belt or a linkage holds together: q(joint) = ratio·q(follows) + offset. Both joints
-/// are hinges or sliders; one that follows is followed by none.
+/// Two coordinates coupled by a gear, a belt or a linkage: q(joint) = ratio·q(follows) + offset. Both joints are hinges
+/// or sliders; a joint that follows another must not be followed.
 struct CouplingSpec {
   std::string name;
   std::string joint;
@@ -189,7 +190,7 @@ struct CouplingSpec {
 struct RobotSpec {
   std::string name;
   std::vector<BodySpec> bodies;
-  std::vector<JointSpec> joints;  ///< a forest: each body is the child of at most one joint; none: it floats
+  std::vector<JointSpec> joints;  ///< a forest: each body is the child of at most one joint; a body without one floats
   std::vector<ActuatorSpec> actuators;
   std::vector<SensorSpec> sensors;
   ContactSpec contact;

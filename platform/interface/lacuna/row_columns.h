@@ -16,12 +16,13 @@
 
 namespace lacuna {
 
-/// The columns of a table as they are met, each once, in that order. What has no name cannot be asked for and is none.
+/// The columns of a table in the order in which they first occur, each once. Columns without a name are left out,
+/// because they cannot be requested.
 class ColumnNames {
  public:
   static constexpr std::size_t kMostColumns = 4096;
 
-  /// False: there are too many already.
+  /// False: there are already too many columns.
   bool add(std::string_view name, std::string_view unit = {}) {
     if (name.empty() || known_.contains(std::string(name))) return true;
     if (columns_.size() == kMostColumns) return false;
@@ -38,8 +39,8 @@ class ColumnNames {
   std::vector<RecordedColumn> columns_;
 };
 
-/// The numbers of one column. Where the first is large, as a time since 1970 is, all keep their digits: that whole
-/// number is the origin.
+/// The numbers of one column. Where the first is large, like a time since 1970, its whole number becomes the origin, so
+/// that all numbers keep their digits.
 class NumberColumn {
  public:
   void add_missing() { values_.push_back(std::numeric_limits<double>::quiet_NaN()); }
@@ -47,7 +48,7 @@ class NumberColumn {
     add_missing();
     set_last(number);
   }
-  /// Nothing where the last one is known already.
+  /// Nothing where the last one is already known.
   void set_last(LongNumber number) {
     if (!std::isnan(values_.back())) return;
     if (!is_begun_ && (number.whole >= kLarge || number.whole <= -kLarge)) origin_ = number.whole;
@@ -69,24 +70,24 @@ class NumberColumn {
   bool is_begun_ = false;
 };
 
-/// Collects the numbers of the wanted columns row by row.
+/// Collects the numbers of the requested columns row by row.
 class RowColumns {
  public:
   explicit RowColumns(const TableQuery& query) : names_(query.columns), most_rows_(query.most_rows) {
     for (std::size_t i = 0; i < names_.size(); ++i) places_.emplace(names_[i], i);
     columns_.resize(names_.size());
   }
-  RowColumns(RowColumns&&) = default;  // keys of `places_` are views of strings that do not move with it
+  RowColumns(RowColumns&&) = default;  // keys of `places_` are views of strings, which do not move with it
   RowColumns(const RowColumns&) = delete;
 
   bool is_full() const { return count_ >= most_rows_; }
-  /// Begins a row, in which all numbers are missing. `line`: 0 in formats without lines.
+  /// Begins a row without numbers. `line`: 0 in formats without lines.
   void begin_row(int line = 0) {
     for (NumberColumn& column : columns_) column.add_missing();
     if (line > 0) lines_.push_back(line);
     ++count_;
   }
-  /// A number of the row; of a column that is not wanted it is forgotten, of one that has a number already as well.
+  /// Adds a number to the row; ignored for columns that are not requested or already have a number.
   void put(std::string_view name, LongNumber number) {
     const auto place = places_.find(name);
     if (place != places_.end()) columns_[place->second].set_last(number);

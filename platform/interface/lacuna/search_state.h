@@ -33,7 +33,8 @@ class SearchStateWriter {
   std::vector<double> state_;
 };
 
-/// For `Search::load`: the same numbers in the same order. Throws `Error` where there are fewer than are read, or more.
+/// For `Search::load`: the same numbers in the same order. Throws `Error` where there are fewer or more numbers than
+/// are read.
 class SearchStateReader {
  public:
   explicit SearchStateReader(std::span<const double> state) : rest_(state) {}
@@ -50,7 +51,7 @@ class SearchStateReader {
     if (!(value >= 0.0 && value < 0x1.0p53)) refuse();
     return static_cast<std::uint64_t>(value);
   }
-  /// `genes`: how many a genome has.
+  /// `genes`: the length of a genome.
   std::vector<ScoredIndividual> next_individuals(std::size_t genes) {
     const std::uint64_t count = next_count();
     if (count > rest_.size()) refuse();
@@ -65,7 +66,7 @@ class SearchStateReader {
     }
     return all;
   }
-  /// To be called when all is read.
+  /// Call this after the last read.
   void finish() const {
     if (!rest_.empty()) refuse();
   }

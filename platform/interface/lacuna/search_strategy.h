@@ -13,27 +13,27 @@
 
 namespace lacuna {
 
-/// What a search asks its host for: genomes of the encoding at hand.
+/// The host's services for a search: genomes of the current encoding.
 class Breeder {
  public:
   virtual ~Breeder() = default;
   virtual Genome random(RandomStream& random) const = 0;
-  /// A child of some of `parents`, chosen at random, by the experiment's mutation operators. `used` receives the
-  /// indices of the parents it was made from.
+  /// A child of some random members of `parents`, by the experiment's mutation operators. `used` receives the indices
+  /// of its parents.
   virtual Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const = 0;
 };
 
-/// What is searched. Layout and breeder must outlive the search.
+/// The task of a search. Layout and breeder must outlive the search.
 struct SearchTask {
   const GenomeLayout& layout;
   const Breeder& breeder;
   std::vector<std::uint64_t> key;  ///< of all random streams of the search; a search adds generation and individual
-  std::vector<Genome> seeds;       ///< known good genomes to start from; may be none
+  std::vector<Genome> seeds;       ///< good genomes to start from; may be empty
 };
 
-/// A genome and where it came from.
+/// A genome and its origin.
 struct Individual {
-  std::uint64_t number = 0;  ///< counted through the search
+  std::uint64_t number = 0;  ///< numbered through the whole search
   Genome genome;
   std::vector<std::uint64_t> parents;  ///< numbers
 };
@@ -43,27 +43,27 @@ struct ScoredIndividual {
   double score = 0.0;
 };
 
-/// A search under way. Smaller scores are better; infinite ones are invalid. Used by one thread at a time.
+/// A search in progress. Smaller scores are better; infinite ones are invalid. Used by one thread at a time.
 class Search {
  public:
   virtual ~Search() = default;
 
   virtual bool finished() const = 0;
-  /// The next individuals of this generation that have no score yet: all of them, or as many as do not wait for the
-  /// scores of others.
+  /// The next individuals of this generation without a score: all of them, or those that do not depend on scores of
+  /// others.
   virtual const std::vector<Individual>& ask() = 0;
-  /// A score above this cannot change what the generation leaves behind; fixed when the individuals are asked. Nothing:
-  /// every score counts in full.
+  /// A score above this limit cannot change the result of the generation; fixed when the individuals are asked.
+  /// Nothing: every score counts in full.
   virtual std::optional<double> abandon_above() const { return std::nullopt; }
-  /// One score for each individual asked; ends the generation once all of its individuals have one. An evaluation that
-  /// was abandoned is told as any number above the bar.
+  /// One score for each individual asked; ends the generation when all of its individuals have one. For an evaluation
+  /// that was abandoned, pass any number above the limit.
   virtual void tell(std::span<const double> scores) = 0;
-  /// The best so far, best first, as many as the search keeps; their scores.
+  /// The best individuals so far, best first, as many as the search keeps; their scores.
   virtual std::vector<ScoredIndividual> best() const = 0;
-  /// Generations told so far, and how many there will be at most.
+  /// Generations completed so far, and the largest number of generations.
   virtual int generation() const = 0;
   virtual int generations() const = 0;
-  /// The state between `tell` and `ask` as numbers, and back: going on gives the same digits.
+  /// The state between `tell` and `ask` as numbers, and back: continuing gives the same digits.
   virtual std::vector<double> save() const = 0;
   virtual void load(std::span<const double> state) = 0;
 };
@@ -77,7 +77,7 @@ class SearchStrategy {
   virtual std::string summary() const = 0;
   /// Population, generations and the like.
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Throws `Error` for parameters that make no search.
+  /// Throws `Error` for parameters with which no search is possible.
   virtual std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const = 0;
 };
 

@@ -8,31 +8,31 @@
 
 namespace lacuna {
 
-/// Reads measured trials; the host hands it to targets.
+/// Reads measured trials; the host passes it to targets.
 class TrialReader {
  public:
   virtual ~TrialReader() = default;
-  /// The experiment's trials, fit files first. Throws `Error` that names file and line.
+  /// The experiment's trials, fit files first. Throws `Error` with file and line.
   virtual std::vector<Trial> read() const = 0;
 };
 
-/// Simulates a test on a robot with the hidden truth; the host hands it to targets.
+/// Simulates a test on a robot with the hidden truth; the host passes it to targets.
 class Simulator {
  public:
   virtual ~Simulator() = default;
   virtual Trial simulate(const Test& test) const = 0;
 };
 
-/// A program beside the host that carries tests out, such as a rig's driver or another simulator; the host starts it,
-/// speaks to it, and hands it to targets.
+/// A separate program that carries tests out, such as a rig's driver or another simulator; the host starts it,
+/// communicates with it, and passes it to targets.
 class ExternalProgram {
  public:
   virtual ~ExternalProgram() = default;
-  /// Throws `Error` that says how the program failed; it is started again for the next test.
+  /// Throws `Error` with the failure of the program; it is started again for the next test.
   virtual Trial carry_out(const Test& test) = 0;
 };
 
-/// What a target may ask of its host; null where the experiment has no use for it.
+/// The host's services for a target; null where the experiment does not use them.
 struct TargetServices {
   const TrialReader* trials = nullptr;
   const Simulator* simulator = nullptr;
@@ -46,7 +46,7 @@ class TargetSystem {
 
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Trials that exist already; a target that only has these takes no tests.
+  /// Trials that already exist; a target with only such trials takes no tests.
   virtual std::vector<Trial> recorded(const TargetServices&) const { return {}; }
   virtual bool takes_tests() const = 0;
   /// Carries the test out. Throws `Error` where it cannot.

@@ -11,17 +11,17 @@
 
 namespace lacuna {
 
-/// What a command does between two samples.
+/// The course of a command between two samples.
 enum class Hold { zero_order, first_order };
 
-/// Commands as functions of time; channels are named like the actuators they drive.
+/// Commands as functions of time; channels have the names of the actuators they drive.
 struct CommandSeries {
-  TimeSeries series;  ///< after its last sample, the last one counts
+  TimeSeries series;  ///< constant after the last sample
   Hold hold = Hold::zero_order;
-  /// What was commanded before the first sample, by channel: what delays and lags hold at the start. NaN, or no value
-  /// at all: the first sample's.
+  /// Command before the first sample, by channel: the initial value of delays and lags. NaN, or empty: the first
+  /// sample's.
   std::vector<double> before = {};
-  bool may_be_off = false;  ///< NaN in a sample means that the actuator is off; else it is a mistake
+  bool may_be_off = false;  ///< NaN in a sample means that the actuator is off; otherwise NaN is an error
 
   /// The command of a channel before the first sample.
   double before_first(Eigen::Index channel) const {
@@ -30,33 +30,32 @@ struct CommandSeries {
   }
 };
 
-/// Turns sensor readings into commands, once a control period. Const and shared by threads;
-/// memory lies in `state`.
+/// Computes commands from sensor readings, once per control period. Const and shared by threads; memory is in `state`.
 class Controller {
  public:
   virtual ~Controller() = default;
   virtual int state_size() const { return 0; }
-  /// A text that is another one for another law, where trials are driven by it: part of their digests.
+  /// A text that differs between laws, part of the digests of trials that are driven by the controller.
   virtual std::string identity() const { return {}; }
-  /// `sensors`: one value a sensor channel; `commands`: one an actuator, to be written; time in s.
+  /// `sensors`: one value per sensor channel; `commands`: one per actuator, to be written; time in s.
   virtual void act(double time, std::span<const double> sensors, std::span<double> state,
                    std::span<double> commands) const = 0;
 };
 
-/// Joint coordinates at the start, in joint order, rad or m; empty: zero. Bodies that float
-/// start at their pose in the spec, at rest.
+/// Joint coordinates at the start, in joint order, rad or m; empty: zero. Floating bodies start at their pose in the
+/// spec, at rest.
 struct StartState {
   std::vector<double> positions;
   std::vector<double> velocities;
 };
 
-/// What is done to the target.
+/// A test for the target.
 struct Test {
   std::variant<CommandSeries, std::shared_ptr<const Controller>>
-      drive;              ///< shared: a controller outlives the genome it came from and is used by several trials
+      drive;              ///< shared: a controller may outlive the genome it came from and is used by several trials
   double duration = 0.0;  ///< s
   StartState start;
-  std::string setup = {};  ///< of the rig, one that the model knows, such as "heavy_load"; empty: the model as it is
+  std::string setup = {};  ///< setup of the rig, known to the model, such as "heavy_load"; empty: the model as it is
 };
 
 }  // namespace lacuna

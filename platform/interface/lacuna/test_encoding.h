@@ -11,17 +11,17 @@
 
 namespace lacuna {
 
-/// What a test can see and drive.
+/// The channels and commands that a test can use.
 struct TestSpace {
   std::vector<Channel> sensors;    ///< in the robot's order
   std::vector<Channel> actuators;  ///< in the robot's order; commands in these units
-  std::vector<double> lower;       ///< smallest command, one an actuator
+  std::vector<double> lower;       ///< smallest command, one per actuator
   std::vector<double> upper;       ///< largest command
   double control_period = 0.0;     ///< s
   double duration = 0.0;           ///< s
 };
 
-/// What a genome of tests means. Const and shared by threads; the same genome gives the same test.
+/// Decodes genomes of tests. Const and shared by threads; the same genome gives the same test.
 class TestEncoding {
  public:
   virtual ~TestEncoding() = default;
@@ -29,13 +29,13 @@ class TestEncoding {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Throws `Error` where the space cannot be driven.
+  /// Throws `Error` where the space has no actuator for a test.
   virtual GenomeLayout layout(const TestSpace& space, std::span<const double> parameters) const = 0;
-  /// A genome of a random test; uniform within the genes' bounds unless an encoding knows better.
+  /// A genome of a random test; uniform within the genes' bounds unless the encoding has a better distribution.
   virtual Genome random(const GenomeLayout& layout, RandomStream& random) const {
     return uniform_genome(layout, random);
   }
-  /// The test of a genome that fits the layout.
+  /// The test of a genome that matches the layout.
   virtual Test decode(const TestSpace& space, std::span<const double> parameters,
                       std::span<const double> genome) const = 0;
 };

@@ -12,21 +12,21 @@
 
 namespace lacuna {
 
-/// What one model says a test would give.
+/// One model's prediction of a test.
 struct TestPrediction {
   TimeSeries sensors;         ///< sample times × sensor channels
-  TimeSeries centre_of_mass;  ///< of the whole robot, the same times × x, y, z; world frame, m
-  /// Standard deviation of a reading, one a sensor channel, in its unit; empty: nothing is known of it.
+  TimeSeries centre_of_mass;  ///< centre of mass of the whole robot, the same times × x, y, z; world frame, m
+  /// Standard deviation of a reading, one per sensor channel, in its unit; empty: unknown.
   std::vector<double> noise = {};
-  /// Derivatives of the readings by each of the model's free values, in the readings' units for a value that moves
-  /// through its whole range; of no size for a value that changes nothing. Empty where the fitness asks for none.
+  /// Derivatives of the readings by each of the model's free values, in the readings' units per whole range of the
+  /// value; of size zero for a value without influence. Empty where the fitness asks for none.
   std::vector<TimeSeries::Samples> slopes = {};
-  /// What the trials so far tell of these values, and what their ranges do: values × values, in nats (the inverse of
-  /// the values' covariance, where a range is 1). Empty where `slopes` is.
+  /// Information of the trials so far on these values, plus that of their ranges: values × values, in nats (the inverse
+  /// of the values' covariance, where a range is 1). Empty where `slopes` is.
   Eigen::MatrixXd information = {};
 };
 
-/// How good a test is, judged on models' predictions of it alone. Larger is better. Const and shared by threads.
+/// The worth of a test, computed only from models' predictions of it. Larger is better. Const and shared by threads.
 class TestFitness {
  public:
   virtual ~TestFitness() = default;
@@ -34,13 +34,14 @@ class TestFitness {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Of the score: SI; "1" where it has none.
+  /// Unit of the score: SI; "1" for none.
   virtual std::string unit() const = 0;
   /// How many of the best models, best first, must predict the test.
   virtual std::size_t models(std::span<const double> parameters) const = 0;
-  /// Whether predictions come with `slopes` and `information`, which costs a simulation for each free value.
+  /// Whether predictions need `slopes` and `information`, which costs one simulation per free value.
   virtual bool wants_slopes(std::span<const double>) const { return false; }
-  /// `predictions`: one a model, best first; each reaches the test's end. Not finite: the test is worth nothing.
+  /// `predictions`: one per model, best first; each reaches the test's end. A result that is not finite: the test is
+  /// worth nothing.
   virtual double score(const Test& test, std::span<const TestPrediction> predictions,
                        std::span<const double> parameters) const = 0;
 };

@@ -14,9 +14,9 @@ struct Channel {
   bool operator==(const Channel&) const = default;
 };
 
-/// Sampled signals that share one clock.
+/// Sampled signals with a common clock.
 struct TimeSeries {
-  /// One row a sample, one column a channel.
+  /// One row per sample, one column per channel.
   using Samples = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   std::vector<Channel> channels;  ///< size C

@@ -10,10 +10,11 @@
 
 namespace lacuna {
 
-/// What encodings that give free parameters a gene each have in common. The gene is the value itself, SI, of
-/// logarithmic parameters, too, so that a stored genome can be read as it stands.
+/// Functions shared by encodings with one gene per free parameter. The gene is the value in SI, also for logarithmic
+/// parameters, so that a stored genome is readable.
 
-/// One real gene a free parameter, in their order, named by its address. Throws `Error` for one without finite bounds.
+/// One real gene per free parameter, in their order, named by its address. Throws `Error` for a parameter without
+/// finite bounds.
 inline void append_value_genes(std::span<const FreeParameter> free, std::vector<Gene>& genes) {
   for (const FreeParameter& parameter : free) {
     if (!std::isfinite(parameter.lower) || !std::isfinite(parameter.upper) || parameter.lower > parameter.upper)
@@ -22,7 +23,7 @@ inline void append_value_genes(std::span<const FreeParameter> free, std::vector<
   }
 }
 
-/// The values that as many genes mean: clamped to the search bounds.
+/// The values of the same number of genes: clamped to the search bounds.
 inline std::vector<double> values_of_genes(std::span<const FreeParameter> free, std::span<const double> genes) {
   std::vector<double> values(free.size());
   for (std::size_t i = 0; i < free.size(); ++i) values[i] = std::clamp(genes[i], free[i].lower, free[i].upper);

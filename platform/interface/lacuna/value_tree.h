@@ -10,14 +10,14 @@
 
 namespace lacuna {
 
-/// A number with all digits of a time stamp: whole + part. A double alone stands in `part`.
+/// A number with all digits of a time stamp: whole + part. A plain double is in `part`.
 struct LongNumber {
   std::int64_t whole = 0;
   double part = 0.0;
 };
 
-/// One message of a recording, a line of JSON for example, as a tree: for formats that have columns by path. Texts and
-/// keys are views of the message, which must live as long. One is filled again and again, so that memory is kept.
+/// One message of a recording, such as a line of JSON, as a tree: for formats with columns by path. Texts and keys are
+/// views of the message, which must live as long. A tree is filled again and again, so that its memory is reused.
 class ValueTree {
  public:
   enum class Kind { number, text, nothing, list, object };
@@ -26,7 +26,7 @@ class ValueTree {
     std::string_view key = {};  ///< in an object
     LongNumber number = {};
     std::string_view text = {};
-    std::size_t end = 0;  ///< index behind its last descendant; the next node beside it stands there
+    std::size_t end = 0;  ///< index after its last descendant, where its next sibling is
   };
 
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -36,12 +36,12 @@ class ValueTree {
     texts_.clear();
   }
 
-  /// What comes next, in the order of the message. `key`: empty in a list.
+  /// The next node, in the order of the message. `key`: empty in a list.
   void add_number(std::string_view key, LongNumber number) { add({Kind::number, key, number}); }
   void add_number(std::string_view key, double number) { add({Kind::number, key, {0, number}}); }
   void add_text(std::string_view key, std::string_view text) { add({Kind::text, key, {}, text}); }
   void add_nothing(std::string_view key) { add({Kind::nothing, key}); }
-  /// What follows up to `end` is in it. `kind`: list or object.
+  /// The nodes that follow up to `end` are inside this one. `kind`: list or object.
   void begin(Kind kind, std::string_view key) {
     open_.push_back(nodes_.size());
     add({kind, key});
@@ -52,7 +52,7 @@ class ValueTree {
   }
   std::size_t depth() const { return open_.size(); }
 
-  /// Keeps a text that is no view of the message until the next `clear`.
+  /// Keeps a text that is not a view of the message until the next `clear`.
   std::string_view keep(std::string text) { return texts_.emplace_back(std::move(text)); }
 
  private:
@@ -63,13 +63,13 @@ class ValueTree {
 
   std::vector<Node> nodes_;
   std::vector<std::size_t> open_;
-  std::deque<std::string> texts_;  ///< does not move what it has
+  std::deque<std::string> texts_;  ///< a deque does not move its elements
 };
 
 /// Visits the numbers of a tree with their paths: `header.stamp`, `wrench.force.x`, `data[3]`. Elements of a list are
-/// called by name where an object around it has as many texts in a list `name`, `names` or `joint_names`, as those of
-/// joint states have: `position[shoulder]`. A time of whole seconds and nanoseconds (`sec` and `nanosec`) is one
-/// number, s. Lists of more than `kMostElements` are no columns.
+/// named where an object around it has as many texts in a list `name`, `names` or `joint_names`, as in joint states:
+/// `position[shoulder]`. A time of whole seconds and nanoseconds (`sec` and `nanosec`) is one number, s. Lists of more
+/// than `kMostElements` are not columns.
 class NumberPaths {
  public:
   static constexpr std::size_t kMostElements = 256;
@@ -140,7 +140,7 @@ class NumberPaths {
     return count;
   }
 
-  /// The first of so many names that an object around gives; 0: none does.
+  /// Index of the first list of this many names in an object around; 0: there is none.
   std::size_t names_for(const Nodes& nodes, std::size_t count) const {
     for (std::size_t i = names_.size(); i-- > 0;)
       if (count > 0 && nodes[names_[i]].end - names_[i] - 1 == count) return names_[i] + 1;
@@ -156,7 +156,7 @@ class NumberPaths {
     return true;
   }
 
-  /// Whether an object is a time of seconds and nanoseconds and nothing else.
+  /// Whether an object consists of seconds and nanoseconds only.
   static bool is_stamp(const Nodes& nodes, std::size_t index, LongNumber& stamp) {
     if (nodes[index].end != index + 3) return false;
     const ValueTree::Node &seconds = nodes[index + 1], &rest = nodes[index + 2];

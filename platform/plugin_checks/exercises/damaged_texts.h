@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// A file's bytes as they come to readers at times: broken off, with a piece overwritten, empty, nonsense.
+/// Damaged copies of a file's bytes: truncated, with a part overwritten, empty, nonsense.
 std::vector<std::string> damaged_texts(const std::string& whole);
 
 /// The bytes of a file. Throws `Error` where it cannot be read.

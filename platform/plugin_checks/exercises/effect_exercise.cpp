@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 20;
 
-/// A kind of element that the effect takes, and which of them on the robot of two links.
+/// A kind of element on which the effect can be placed, and the elements on the robot of two links.
 struct EffectPlace {
   ElementKind kind;
   std::vector<int> elements;
@@ -35,7 +35,7 @@ class EffectExercise : public Exercise {
   }
 
   ParameterDeclarations declared() const override { return description_.parameters; }
-  /// First values that are not the neutral ones: there the effect has something to do.
+  /// First values that are not neutral, at which the effect is active.
   std::vector<Setting> settings() const override {
     std::vector<Setting> all = settings_of(description_.parameters);
     all.insert(all.begin(), values_to_try());
@@ -46,7 +46,7 @@ class EffectExercise : public Exercise {
     for (const EffectPlace& place : places_) {
       EffectConditions conditions;
       conditions.steps = kSteps;
-      conditions.counts_allocations = false;  // each hook once a step, as a simulation calls it
+      conditions.counts_allocations = false;  // each hook once per step, as in a simulation
       const EffectCourse course = trial(place, setting).go(conditions);
       if (course.threw()) std::rethrow_exception(course.thrown);
       for (const auto& result : course.results) write_down(result, course.summands.size(), transcript);
@@ -86,7 +86,7 @@ class EffectExercise : public Exercise {
     for (const ParameterDeclaration& parameter : description_.parameters) values.push_back(value_to_try(parameter));
     return values;
   }
-  /// Some act between two elements, or on what this robot does not have: they say so by an `Error`.
+  /// Some effects act between two elements, or on elements that this robot lacks; they throw an `Error`.
   bool takes(const EffectPlace& place) {
     const EffectCourse course = trial(place, values_to_try()).go({});
     if (!course.threw()) return true;
@@ -97,7 +97,7 @@ class EffectExercise : public Exercise {
     }
     return false;
   }
-  /// Loads are finite; the ground's stiffness and what a robot has may be infinite.
+  /// Loads must be finite; the stiffness of the ground and values of a robot may be infinite.
   static void write_down(const std::pair<const char*, std::vector<double>>& result, std::size_t loads,
                          Transcript& transcript) {
     const std::span<const double> all = result.second;

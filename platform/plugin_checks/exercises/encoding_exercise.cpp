@@ -32,7 +32,7 @@ std::string layout_fault(const GenomeLayout& layout) {
   return {};
 }
 
-/// What encodings of models and of tests have in common.
+/// The common part of encodings of models and of tests.
 template <class Encoding, class Space>
 class EncodingExercise : public Exercise {
  public:
@@ -77,7 +77,7 @@ class EncodingExercise : public Exercise {
  protected:
   virtual const Space& space() const = 0;
   virtual void write_down(const Setting& setting, const Genome& genome, Transcript& transcript) const = 0;
-  /// What a decoded genome must not be; empty: it is sound.
+  /// The fault of a decoded genome; empty: it is valid.
   virtual std::string decoded_fault(const Setting& setting, const Genome& genome) const = 0;
 
   Genome random_genome(const GenomeLayout& layout, std::uint64_t key) const {
@@ -99,7 +99,7 @@ class EncodingExercise : public Exercise {
   }
 };
 
-/// A robot of three cylinders, the others on the first one.
+/// A robot of three cylinders, two of them attached to the first.
 RobotSpec three_cylinders() {
   RobotSpec robot;
   for (const char* name : {"torso", "leg", "arm"}) {

@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// The exercise of a component of each kind; the component outlives it. Nothing but the interfaces is known here.
+/// The exercise of a component of each kind; the component must outlive it. Uses only the interfaces.
 std::unique_ptr<Exercise> exercise_of(const PhysicalEffect& effect, const ExerciseInputs& inputs);
 std::unique_ptr<Exercise> exercise_of(const RobotDefinition& robot, const ExerciseInputs& inputs);
 std::unique_ptr<Exercise> exercise_of(const RobotFormat& format, const ExerciseInputs& inputs);
@@ -22,7 +22,7 @@ std::unique_ptr<Exercise> exercise_of(const SearchStrategy& strategy, const Exer
 std::unique_ptr<Exercise> exercise_of(const TestFitness& fitness, const ExerciseInputs& inputs);
 std::unique_ptr<Exercise> exercise_of(const ObjectiveMetric& metric, const ExerciseInputs& inputs);
 
-/// Targets have a state: each go makes one.
+/// Targets have a state, so each repetition makes a new one.
 using TargetMaker = std::function<std::unique_ptr<TargetSystem>()>;
 std::unique_ptr<Exercise> exercise_of_target(TargetMaker make, const ExerciseInputs& inputs);
 

@@ -12,7 +12,7 @@ constexpr Eigen::Index kReadings = 50;
 constexpr double kReadingPeriod = 0.01;    // s
 constexpr std::size_t kMostModels = 1000;  // that are predicted here
 
-/// What models foretell that go forward at different speeds, with all that a fitness may ask for.
+/// Predictions of models that move forward at different speeds, with everything that a fitness may ask for.
 std::vector<TestPrediction> predictions(std::size_t models) {
   std::vector<TestPrediction> all;
   for (std::size_t m = 0; m < models; ++m) {

@@ -19,7 +19,7 @@ struct ComparedSample {
   std::vector<double> predicted, measured;
 };
 
-/// Sine waves that agree better and better, with gaps in what is measured.
+/// Sine waves with decreasing errors, and gaps in the measurement.
 std::vector<ComparedSample> comparison() {
   std::vector<ComparedSample> all;
   for (std::size_t i = 0; i < kComparedSamples; ++i) {

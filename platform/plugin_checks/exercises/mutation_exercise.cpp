@@ -53,7 +53,7 @@ class MutationExercise : public Exercise {
     return all;
   }
 
-  /// An operator that was made for one encoding refuses other layouts by an `Error`.
+  /// An operator for one encoding refuses other layouts with an `Error`.
   GenomeLayout taken_layout() const {
     try {
       RandomStream random = stream_of(1);
@@ -64,7 +64,7 @@ class MutationExercise : public Exercise {
     }
   }
 
-  /// Of the values of its parameters; an operator may refuse some of them.
+  /// The values of its parameters; an operator may refuse some of them.
   std::string child_fault(const Setting& setting) const try {
     for (std::uint64_t key = 0; key < kChildren; ++key) {
       RandomStream random = stream_of(key);

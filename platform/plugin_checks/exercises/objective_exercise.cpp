@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnknownTruth = std::numeric_limits<double>::quiet_NaN();
 
-/// Two parts of a robot, one on the other.
+/// Two parts of a robot, one attached to the other.
 RobotSpec two_parts() {
   RobotSpec robot;
   for (const char* name : {"torso", "leg"}) {
@@ -90,7 +90,7 @@ class ObjectiveExercise : public Exercise {
     for (const ObjectiveScore& score : scores) most = std::max(most, score.value);
     return most;
   }
-  /// Other values, and a robot whose leg is elsewhere.
+  /// Other values, and a robot with its leg at another place.
   ModelProposal other_model() const {
     RobotSpec robot = robot_;
     robot.bodies[1].position.x() += 0.2;

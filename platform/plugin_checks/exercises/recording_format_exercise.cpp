@@ -22,7 +22,7 @@ std::vector<TableQuery> queries_of(const RecordingContents& contents) {
   return queries;
 }
 
-/// What is wrong with rows that answer queries; empty: nothing.
+/// The fault of rows that answer queries; empty: none.
 std::string rows_fault(const ReadRows& read, const std::vector<TableQuery>& queries) {
   if (!read.problems.empty()) return {};
   if (read.tables.size() != queries.size()) return "read() returns another number of tables than requested";
@@ -80,7 +80,7 @@ class RecordingFormatExercise : public Exercise {
   }
 
  private:
-  /// Copies of the sample that are damaged, of names that are the same in each process.
+  /// Damaged copies of the sample, with the same names in each process.
   std::vector<std::string> damaged_files() const {
     const std::string whole = sample_.empty() ? "" : text_of_file(sample_);
     const std::vector<std::string> endings = format_.endings();

@@ -70,7 +70,7 @@ class RobotFormatExercise : public Exercise {
     if (read.problems.empty()) write_down_robot("read", read.robot, transcript);
   }
 
-  /// Whether masses and names come back that were written; where it cannot write, nothing.
+  /// Whether masses and names survive writing and reading; nothing where the format cannot write.
   std::string round_trip_fault() const {
     const WrittenRobot made = written();
     if (!made.problems.empty()) return {};
@@ -88,7 +88,7 @@ class RobotFormatExercise : public Exercise {
   }
 
   const RobotFormat& format_;
-  std::string text_;  ///< a whole file; empty: there is none
+  std::string text_;  ///< a complete file; empty: there is none
 };
 
 }  // namespace

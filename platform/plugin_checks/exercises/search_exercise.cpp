@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kMostParts = 400;            // of generations, after which a search counts as too long for this check
+constexpr int kMostParts = 400;            // generations, after which a search counts as too long for this check
 constexpr std::size_t kMostAsked = 20000;  // individuals
 constexpr double kInvalid = std::numeric_limits<double>::infinity();
 
@@ -27,7 +27,7 @@ class SearchExercise : public Exercise {
   explicit SearchExercise(const SearchStrategy& strategy) : strategy_(strategy) {}
 
   ParameterDeclarations declared() const override { return strategy_.parameters(); }
-  /// Upper bounds of populations and generations are there to be never reached.
+  /// Upper bounds of populations and generations are never reached in practice.
   std::vector<Setting> settings() const override {
     const ParameterDeclarations declared = strategy_.parameters();
     std::vector<Setting> all = {settings_of(declared).front()};
@@ -85,7 +85,7 @@ class SearchExercise : public Exercise {
   const PlainBreeder breeder_{layout_};
 };
 
-/// The first fault of a search on its way; empty: none.
+/// The first fault of a search in progress; empty: none.
 std::string SearchExercise::fault_of_course(Search& search) const {
   std::uint64_t next = 0;
   double least = kInvalid;
@@ -111,7 +111,7 @@ std::string SearchExercise::fault_of_course(Search& search) const {
   return {};
 }
 
-/// Whether a search that was saved and loaded asks for the same individuals.
+/// Whether a search that was saved and loaded asks for the same individuals as before.
 bool SearchExercise::goes_on(const Setting& setting) const {
   const std::unique_ptr<Search> whole = begin(setting), resumed = begin(setting);
   for (int part = 0; part < 3 && !whole->finished(); ++part) whole->tell(scores_of(whole->ask()));

@@ -27,7 +27,7 @@ Test motor_test(double amplitude) {
   return test;
 }
 
-/// What a host's services give: the commands, and an angle that follows them.
+/// The host's services: the commands, and an angle that follows them.
 Trial served_trial(const Test& test) {
   Trial trial;
   trial.name = "served";
@@ -53,7 +53,7 @@ class ServedProgram : public ExternalProgram {
   Trial carry_out(const Test& test) override { return served_trial(test); }
 };
 
-/// What is wrong with a trial; empty: nothing.
+/// The fault of a trial; empty: none.
 std::string trial_fault(const Trial& trial) {
   const TimeSeries& measured = trial.measured;
   if (measured.times.size() == 0) return "a trial has no reading";
