@@ -37,7 +37,7 @@ class NamedController : public Controller {
     }
   }
 
-  std::shared_ptr<const Controller> controller_;  // shared with whoever made the test
+  std::shared_ptr<const Controller> controller_;  // shared with the test's creator
   const char* component_;
 };
 

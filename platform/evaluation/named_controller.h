@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// The test with a controller, if it has one, whose calls are known to be of that component: a parent process names it
-/// where one of them ends the program.
+/// The test with a controller, if it has one, whose calls are attributed to that component: if one of them ends the
+/// program, the parent process names the component.
 Test with_named_controller(Test test, const ComponentOrigin& origin);
 
 }  // namespace lacuna

@@ -13,9 +13,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSlowestReading = 1e6;  ///< bytes/s that a disk and a reader may take in any case
+constexpr double kSlowestReading = 1e6;  ///< bytes/s that any disk and reader reach
 
-/// A large file may take its time.
+/// A large file gets more time.
 double allowed_seconds(const std::filesystem::path& file) {
   std::error_code unknown;
   const auto size = std::filesystem::file_size(file, unknown);

@@ -8,7 +8,8 @@
 
 namespace lacuna {
 
-/// The recording formats of a catalog, which outlives it. The ending of a file's name chooses; the longest counts. A
+/// The recording formats of a catalog, which outlives it. The ending of a file's name decides; the longest match
+/// counts. A
 /// folder that is a recording (foundation/recording_folder.h) is read as one file: its files, one after the other.
 class PluginRecordingFormats : public RecordingFormats {
  public:

@@ -9,9 +9,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLoose = 1e-3;  ///< relative decrease of the cost that ends a search for where another one begins
+constexpr double kLoose =
+    1e-3;  ///< relative decrease of the cost that ends a search which decides where another one begins
 
-/// Of an effect whose size is known before it is fitted; 0 says nothing of a size.
+/// Whether an effect has a start value from earlier knowledge; 0 is none.
 bool is_known(const FreeValue& free) { return is_of_effect(free.address) && free.start != 0.0; }
 
 RefinementOptions search(const AnewTask& task, double precision) {
@@ -29,7 +30,7 @@ int try_points(const AnewTask& task, const std::vector<Eigen::VectorXd>& points,
   return static_cast<int>(points.size());
 }
 
-/// What is not known fits best beside what is.
+/// The best values of all else beside the known ones.
 Eigen::VectorXd beside_known(const AnewTask& task, const Candidate& best, const Eigen::VectorXd& known) {
   const std::vector<FreeValue>& free = task.fit.definition.free;
   std::vector<Eigen::Index> others;

@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// The last stage of a fit, where it tries what the stages before may have led away from.
+/// The last stage of a fit, which retries starts that earlier stages may have led away from.
 struct AnewTask {
   const FitTask& fit;
   const ParameterSpace& space;
@@ -20,12 +20,12 @@ struct AnewTask {
 };
 
 /// Where a model lacks something, short segments may lead far away from the values that predict whole trials best.
-/// Tries all starting points; what is better than the best of `candidates` joins them. Returns how many were tried.
+/// Tries all starting points; adds those that are better than the best of `candidates`. Returns how many were tried.
 int try_all_starts(const AnewTask& task, std::vector<Candidate>& candidates);
 
-/// Short segments, or a base that is far off, may also lead away from what is known of an effect, such as what a
-/// diagnosis found. Where they did, tries the values that the experiment gives it, beside those of all else that fit
-/// best with them: what was found may have given these what the effect does. As `try_all_starts` otherwise.
+/// Short segments, or a base with a large error, may also lead away from known values of an effect, such as those found
+/// by a diagnosis. Where they did, tries the effect's start values of the experiment with the values of all else that
+/// fit best beside them, because fitted values may have absorbed the effect. Otherwise like `try_all_starts`.
 int try_known_starts(const AnewTask& task, std::vector<Candidate>& candidates);
 
 }  // namespace lacuna

@@ -21,15 +21,14 @@ namespace lacuna {
 namespace {
 
 constexpr int kParts = 4;  ///< free runs, as written, horizons, floor
-/// Of the larger of error and floor: a tenth of its square. What the integrator does wrong beyond that is taken for the
-/// model's.
+/// Of the larger of error and floor: a tenth of its square. A larger integration error is reported.
 constexpr double kCoarseSteps = 0.32;
 constexpr double kNoticedRise = 0.01;                               ///< of the error as written
 constexpr std::array kUsualHorizons = {0.1, 0.5, 2.0, 10.0, 50.0};  ///< s
 constexpr double kFewestSamples = 5.0;                              ///< of a horizon
-constexpr double kPartOfTrial = 0.5;                                ///< that a horizon is at most
+constexpr double kPartOfTrial = 0.5;                                ///< of the trial's length, that a horizon may have
 
-/// The noise that fit trials show; of channels that only held-out trials have, theirs.
+/// The noise that fit trials show; for channels that only held-out trials have, theirs.
 std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
   if (!task.sensors.empty()) return task.sensors;
   std::vector<Trial> fit_trials;
@@ -42,8 +41,8 @@ std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
   return noise;
 }
 
-/// A run that starts anew after a while is judged by what noise alone leaves uncertain of its starts, as a right
-/// model's are: where a model does not even follow the heads, more would excuse all of its error.
+/// A run that restarts after a while is scored with the uncertainty of its starts that noise alone causes, as for a
+/// right model; a larger one would excuse all errors of a model that does not even follow the first samples.
 FreeRun with_start_errors(FreeRun run) {
   if (run.pieces.size() == 1) return run;
   run.start.axes /= run.start.misfit;
@@ -64,7 +63,7 @@ double shortest_restart(const StartStates& states, std::size_t trials) {
   return shortest;
 }
 
-/// Not longer than a run goes on.
+/// Not longer than a run lasts before it restarts.
 std::vector<double> horizons_up_to(double restart, const ComparisonTask& task) {
   if (!task.horizons.empty()) return task.horizons;
   std::vector<double> horizons = usual_horizons(task.trials);
@@ -191,7 +190,7 @@ class Comparer {
           guesses, line));
   }
 
-  /// A trial without a sample to score must not pass for one without error.
+  /// A trial without a sample to score must not look like one without error.
   void name_unscored() {
     for (const TrialComparison& trial : result_.trials)
       if (trial.valid && std::all_of(trial.channels.begin(), trial.channels.end(),
@@ -218,7 +217,7 @@ class Comparer {
     meter_.end_part();
   }
 
-  /// What doubling the substeps changes, from the same start.
+  /// Change of the prediction by twice the substeps, from the same start.
   void score_numerics() {
     if (task_.finer == nullptr) return;
     const TrialPredictor finer(*task_.finer, task_.trials, task_.threads);
@@ -245,7 +244,7 @@ class Comparer {
     }
   }
 
-  /// What a fit minimises is not this error, and a user should not have to find out.
+  /// The fit minimises another error than this one; the user is told.
   void name_worse_than_written() {
     for (const PooledScore& score : result_.pooled)
       if (!score.held_out && score.rmse > (1.0 + kNoticedRise) * score.rmse_as_written)
@@ -275,7 +274,7 @@ class Comparer {
     }
   }
 
-  /// Stretches of a head and a horizon, one horizon apart.
+  /// Stretches of a first part, which determines the start, and a horizon, one horizon apart.
   std::vector<Stretch> horizon_stretches(std::size_t trial, double horizon) const {
     const Eigen::VectorXd& times = task_.trials[trial].measured.times;
     const double* begin = times.data();

@@ -11,7 +11,8 @@
 namespace lacuna {
 namespace {
 
-constexpr int kTimesAsShort = 64;  ///< times as short as the model's steps; the finer solution's are half of that
+constexpr int kTimesAsShort =
+    64;  ///< factor by which the steps are shorter than the model's; the finer solution's steps are half of that
 
 std::string other_engine(const ModelDefinition& definition) {
   if (definition.engine.engine != "ode") return "ode";
@@ -75,7 +76,8 @@ CrossCheck cross_check(const ComparisonTask& task, const Comparison& comparison)
     second[trial] = fine.from(comparison.trials[trial].pieces, trial, worker);
   });
 
-  const double halved = check.engine == "ode" ? 2.0 : 4.0;  // by half the step, of an error of first or second order
+  const double halved =
+      check.engine == "ode" ? 2.0 : 4.0;  // change by half the step, for an error of first or second order
   std::vector<Squares> sums;
   for (std::size_t t = 0; t < task.trials.size(); ++t) {
     const TrialComparison& trial = comparison.trials[t];

@@ -8,7 +8,7 @@ namespace lacuna {
 struct Comparison;
 struct ComparisonTask;
 
-/// How far two engines are apart in a channel, over the scored time of the trials.
+/// Difference between two engines in a channel, over the scored time of the trials.
 struct EngineDistance {
   std::string channel;
   std::string unit;
@@ -18,14 +18,14 @@ struct EngineDistance {
 
 struct CrossCheck {
   std::string engine;                    ///< the other one
-  int substeps = 0;                      ///< of it, the finer solution's
+  int substeps = 0;                      ///< of the other engine, for the finer solution
   std::vector<EngineDistance> channels;  ///< in the order of the comparison
   std::vector<std::string> left_out;     ///< trials that the other engine cannot simulate, with the reason
 };
 
-/// Predicts the trials of a comparison once more with the other engine, from the same starts, in steps so short that
-/// its own error does not count: of two solutions, the limit that its order promises is taken. `task` is what was
-/// compared. Throws `Error` where there is no other engine that can move the robot, and `Interrupted`.
+/// Predicts the trials of a comparison again with the other engine, from the same starts, in steps so short that its
+/// error does not matter: two solutions are extrapolated to the limit of their order. `task`: that of the comparison.
+/// Throws `Error` where no other engine can simulate the robot, and `Interrupted`.
 CrossCheck cross_check(const ComparisonTask& task, const Comparison& comparison);
 
 }  // namespace lacuna

@@ -6,14 +6,14 @@
 
 namespace lacuna {
 
-/// What an error is made of. All are pure numbers; NaN where they are not defined.
+/// The parts of an error. All are pure numbers; NaN where they are not defined.
 struct ErrorParts {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   /// Theil's inequality coefficient (1966): RMSE over the sum of the root mean squares of measured and predicted,
   /// 0 for a perfect prediction, 1 at worst.
   double theil_u = kUnknown;
   /// Theil's shares of the mean squared error, which sum to 1: of different means, of different standard deviations,
-  /// and of what does not vary together (wrong in phase or form).
+  /// and of incomplete correlation (wrong phase or form).
   double bias_share = kUnknown;
   double magnitude_share = kUnknown;
   double form_share = kUnknown;

@@ -24,8 +24,8 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kExploredSegments = 48;  ///< to choose among starting points
-constexpr std::size_t kStageSegments = 96;     ///< in the stages that lead to the last one
+constexpr std::size_t kExploredSegments = 48;  ///< of the segments, to choose among starting points
+constexpr std::size_t kStageSegments = 96;     ///< in the stages before the last one
 constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
 constexpr double kBetter = 1e-4;  ///< of the objective, per sample: a 20 000th of the residual
 constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
@@ -47,7 +47,7 @@ RobustLoss loss_of(const FitSection& options) {
   throw Error("fit.loss is \"" + options.loss + "\"; write \"huber\" or \"squared\"");
 }
 
-/// What all stages of one fit share.
+/// Data shared by all stages of one fit.
 class Fitter {
  public:
   explicit Fitter(const FitTask& task)
@@ -100,7 +100,7 @@ class Fitter {
     return candidates_.empty() ? result_.parameters() : space_.to_values(candidates_.front().values);
   }
 
-  /// Segments that hold no more samples than their start has unknowns tell nothing.
+  /// Segments with no more samples than unknowns of their start carry no information.
   void leave_out_empty(std::vector<PlannedStage>& stages) {
     for (std::size_t i = 0; i + 1 < stages.size();) {
       if (!make_segments(predictor_, *states_, stages[i].length, current_values()).empty()) {
@@ -112,7 +112,8 @@ class Fitter {
     }
   }
 
-  /// As long as the uncertainty of an initial state stays small that was estimated over the longest segments so far.
+  /// The longest length at which the uncertainty of an initial state, estimated over the longest segments so far, stays
+  /// small.
   void find_horizon(PlannedStage& stage, double head) {
     const double horizon = std::max(head, automatic_horizon(predictor_, *states_, current_values(), head));
     stage.length = std::isfinite(horizon) ? horizon : 0.0;
@@ -124,7 +125,7 @@ class Fitter {
                       horizon, head));
   }
 
-  /// Tries all starting points, on a part of the data where there is plenty.
+  /// Tries all starting points, on a part of the data if there is plenty.
   void explore(const PlannedStage& stage) {
     cut_into_segments(stage.length, kExploredSegments);
     for (const Eigen::VectorXd& point :
@@ -166,7 +167,7 @@ class Fitter {
 
   RefinementOptions search(double precision) const { return {loss_, task_.options.max_iterations, precision}; }
 
-  /// Remembers the values that a search has reached, in case the time limit ends it.
+  /// Remembers the values that a search has reached, for the case that the time limit ends it.
   RefinementOptions watched(RefinementOptions options) {
     if (task_.best_at_time_limit)
       options.reached = [this](const FitPoint& point) {
@@ -176,7 +177,7 @@ class Fitter {
     return options;
   }
 
-  /// The best of what the search has come to, by the last stage's measure, without intervals: it did not converge.
+  /// The best values of the search by the measure of the last stage, without intervals: it did not converge.
   void end_with_best(PlannedStage& last) {
     const std::size_t finished = result_.stages.size();
     if (last.automatic && last.length == 0.0) find_horizon(last, finished == 0 ? kHead : result_.stages.back().segment);
@@ -204,7 +205,7 @@ class Fitter {
                     stopped_by_time_limit(), finished, candidates_.front().residual));
   }
 
-  /// Where the values moved on the way, or away from what is known, other starts are tried once more.
+  /// Where the values moved during the stages, or away from known values, tries other starts once more.
   void look_anew(const std::string& stage) {
     const AnewTask task{task_, space_, loss_, *problem_, meter_, stage};
     if (!result_.stages.empty() && moved(result_.stages.back().values, space_.to_values(candidates_.front().values))) {
@@ -230,7 +231,7 @@ class Fitter {
     result_.stages.push_back(stage);
   }
 
-  /// The last stage once more with the trials' starts estimated under its own values, if these tell other starts.
+  /// Repeats the last stage with initial states of the trials estimated under its values, if these are different.
   void settle_heads(const PlannedStage& last) {
     candidates_.resize(1);
     const std::vector<Segment> before = problem_->segments();
@@ -246,8 +247,7 @@ class Fitter {
         std::move(name), values);
   }
 
-  /// The start and the results of all stages but the last, the best first, those that the model cannot be simulated at
-  /// left out.
+  /// The start and the results of all stages but the last, the best first, without those that cannot be simulated.
   std::vector<JudgedValues> others(const PlannedStage& last) {
     std::vector<JudgedValues> all;
     all.push_back(judged("the start values", start_values(), last));
@@ -258,8 +258,8 @@ class Fitter {
     return all;
   }
 
-  /// The one place where a fit's result is chosen: where the start or another stage fits better than what the last
-  /// search ended with, the search begins there again, and the best of all wins, as it is or refined.
+  /// The one place where a fit's result is chosen: where the start or another stage fits better than the result of the
+  /// last search, the search starts from there again; the best of all wins, as it is or refined.
   void let_best_win(const PlannedStage& last) {
     const JudgedValues found = judged("", current_values(), last);
     std::vector<JudgedValues> all = others(last);

@@ -12,7 +12,7 @@
 
 namespace lacuna {
 
-/// What is fitted to what. Everything referred to must live until `fit` returns.
+/// The input of a fit. Everything that it refers to must live until `fit` returns.
 struct FitTask {
   const ModelDefinition& definition;
   const CompiledModel& model;        ///< compiled from `definition`
@@ -21,51 +21,51 @@ struct FitTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
-  /// What to do when the time limit is reached (foundation/processes/interrupt.h): lift it and end with the best values
+  /// At the time limit (foundation/processes/interrupt.h): lift it and return the best values
   /// so far, or throw `TimeIsUp`.
   bool best_at_time_limit = false;
 };
 
-/// A free value after the fit. Intervals take into account that residuals are correlated in time.
+/// A free value after the fit. Intervals account for residuals that are correlated in time.
 struct FittedValue {
   std::string address;
   std::string unit;
   double start = 0.0;
   double value = 0.0;
-  double standard_error = 0.0;  ///< infinite where the data cannot tell, NaN at a bound
-  double lower_95 = 0.0;        ///< NaN at a bound, the bound where the data cannot tell
+  double standard_error = 0.0;  ///< infinite where the data do not determine the value, NaN at a bound
+  double lower_95 = 0.0;        ///< NaN at a bound; the bound where the data do not determine the value
   double upper_95 = 0.0;
   bool at_lower_bound = false;
   bool at_upper_bound = false;
   bool identified = true;  ///< false: see `FitResult::cannot_tell`
 };
 
-/// One round of the fit: all data cut into segments of one length. Whether an effect's size survives
-/// the change of length is read off `values`.
+/// One round of the fit: all data cut into segments of one length. `values` show whether an effect's size depends on
+/// the length.
 struct FitStage {
   std::string name;            ///< "segments of 0.1 s", "free run"
   double segment = 0.0;        ///< s; 0: whole trials
   int segments = 0;            ///< how many
-  int starts = 0;              ///< starting points that were refined in it
+  int starts = 0;              ///< starting points that were refined in this stage
   int agreeing = 0;            ///< of these, how many reached the same error as the best
   int iterations = 0;          ///< of the best
   bool converged = false;      ///< the best one's
-  double residual = 0.0;       ///< RMS of residual over sensor noise, the best one's
-  std::vector<double> values;  ///< the best one's, in the order of `ModelDefinition::free`
+  double residual = 0.0;       ///< RMS of residual over sensor noise, of the best one
+  std::vector<double> values;  ///< of the best one, in the order of `ModelDefinition::free`
 };
 
 struct FitResult {
   std::vector<FittedValue> values;  ///< in the order of `ModelDefinition::free`
   Eigen::MatrixXd covariance;       ///< of the values; rows and columns of values at a bound or not identified are NaN
-  std::vector<FitStage> stages;     ///< in their order; the last one's values are the result
+  std::vector<FitStage> stages;     ///< in their order; the result is that of the last one
   int starts = 0;                   ///< starting points tried
   int agreeing = 0;                 ///< of these, how many reached the same error in the first stage
-  std::vector<std::string> cannot_tell;   ///< one sentence a combination that the data do not determine
-  std::vector<std::string> notes;         ///< what the fit had to decide by itself, sentences
-  std::vector<ChannelNoise> noise;        ///< the sensor noise that residuals were weighed with
+  std::vector<std::string> cannot_tell;   ///< one sentence per combination that the data do not determine
+  std::vector<std::string> notes;         ///< decisions that the fit made, sentences
+  std::vector<ChannelNoise> noise;        ///< the sensor noise by which residuals were weighted
   std::uint64_t simulations = 0;          ///< stretches simulated
   std::uint64_t invalid_simulations = 0;  ///< of these, how many failed
-  std::size_t samples = 0;                ///< measured values that counted in the last stage
+  std::size_t samples = 0;                ///< number of measured values in the last stage
   double correlation_time = 0.0;          ///< of the residual, s
   double seconds = 0.0;                   ///< wall clock
   bool stopped = false;                   ///< by the time limit: the best values so far, without intervals
@@ -74,16 +74,16 @@ struct FitResult {
   std::vector<double> parameters() const;
 };
 
-/// Finds the free values under which the model predicts the trials best, by METHOD's step 4: stages of
-/// growing segments, whose start states are fitted with them and are not counted as fit, then the last
-/// horizon; from several starts; with Huber's loss. Where the stages lead away from the starts of effects, these are
-/// tried once more in the last one, beside the base that fits best with them. A model without free values gives a
-/// result without values. The same digits whatever the number of threads. Throws `Error` if there is nothing to fit to
-/// or no starting point can be simulated, and `Interrupted`.
+/// Finds the free values with which the model predicts the trials best, by METHOD's step 4: stages of growing segments,
+/// whose initial states are fitted with them and do not count as fitted values, then the last horizon; from several
+/// starts; with Huber's loss. Where the stages lead away from the start values of effects, these are tried once more in
+/// the last stage, beside the base that fits best with them. A model without free values gives a result without values.
+/// The same digits for any number of threads. Throws `Error` if there is nothing to fit to or no starting point can be
+/// simulated, and `Interrupted`.
 ///
-/// Literature: H. G. Bock, "Recent advances in parameter identification techniques for O.D.E.", 1983
-/// (multiple shooting); D. W. Marquardt, 1963; P. J. Huber, 1964; H. White, 1982, and A. C. Cameron and
-/// D. L. Miller, 2015 (covariance by blocks).
+/// Literature: H. G. Bock, "Recent advances in parameter identification techniques for O.D.E.", 1983 (multiple
+/// shooting); D. W. Marquardt, 1963; P. J. Huber, 1964; H. White, 1982, and A. C. Cameron and D. L. Miller, 2015
+/// (covariance by blocks).
 FitResult fit(const FitTask& task);
 
 /// The result of not fitting (`--as-is`): values as they stand, no intervals.

@@ -10,7 +10,7 @@ namespace lacuna {
 /// −1 where a value, in coordinates of the space, is at its lower bound, 1 at its upper, else 0.
 int bound_side(const ParameterSpace& space, const Eigen::VectorXd& values, Eigen::Index j);
 
-/// What a search ended with. Everything referred to must outlive the use.
+/// The end of a search. Everything that it refers to must outlive the use.
 struct FoundValues {
   const ParameterSpace& space;
   const std::vector<FreeValue>& free;
@@ -19,7 +19,7 @@ struct FoundValues {
 };
 
 /// Enters values, 95 % intervals and covariance into a result, in SI units: Student's t on the coordinates of the
-/// space. Of values at a bound there are none; those of values that the data do not determine are their bounds.
+/// space. Values at a bound have no interval; for values that the data do not determine it is their bounds.
 void enter_values(const FoundValues& found, FitResult& result);
 
 }  // namespace lacuna

@@ -102,10 +102,11 @@ std::optional<ValueShift> IntegrationBias::with(int substeps) const {
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(space_.size());
   for (std::size_t k = 0; k < rows.size(); ++k)
     pull += rows[k].sensitivity.transpose() * rows[k].curvature.asDiagonal() * (fine[k] - coarse[k]);
-  return largest(known_.inverse_information * pull * (4.0 / 3.0));  // half the step leaves a quarter of the error
+  return largest(known_.inverse_information * pull *
+                 (4.0 / 3.0));  // with half the step, a quarter of the error remains
 }
 
-/// Correlated residuals widen an interval; what they do not explain is at least what independent ones would leave.
+/// Correlated residuals widen an interval; the rest is at least as wide as for independent ones.
 ValueShift IntegrationBias::largest(const Eigen::VectorXd& shifts) const {
   ValueShift most;
   for (Eigen::Index j = 0; j < shifts.size(); ++j) {

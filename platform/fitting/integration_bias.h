@@ -12,27 +12,26 @@
 
 namespace lacuna {
 
-/// How far the integration error moves a fitted value.
+/// Change of a fitted value by the integration error.
 struct ValueShift {
-  std::string address;  ///< of the value that is moved most; empty: none is
-  double share = 0.0;   ///< of half its 95 % interval
+  std::string address;  ///< address of the value that changes most; empty: none
+  double share = 0.0;   ///< in halves of its 95 % interval
 };
 
-/// What integration does to the values of a fit. A few cheap stages bring the values near those that the fit will find;
-/// there the last stage's linear least squares say how far they move when the integration steps are halved, and how
-/// wide their intervals are. Everything referred to must outlive the use.
+/// Bias of fitted values by the integration. A few cheap stages bring the values near the result of a fit; there the
+/// linear least squares of the last stage give their change when the integration steps are halved, and the width of
+/// their intervals. Everything that it refers to must outlive the use.
 class IntegrationBias {
  public:
-  /// `trials`: some of `all` trials that the fit will use, whose number the intervals follow. `substeps`: with which
-  /// the values are looked for.
+  /// `trials`: some of `all` trials that the fit will use; the number of all sets the intervals. `substeps`: for this
+  /// estimate of the values.
   IntegrationBias(const ModelDefinition& definition, const FitSection& options, const std::vector<Trial>& trials,
                   std::size_t all, std::vector<double> values, int substeps, int threads);
   ~IntegrationBias();
 
-  /// Near those that the fit will find; none where the model cannot be simulated.
+  /// Near the result of a fit; none where the model cannot be simulated.
   std::vector<double> values() const { return problem_ ? space_.to_values(point_.values) : std::vector<double>(); }
-  /// Of the value that is moved most by the error that so many substeps leave; nothing where the model cannot be
-  /// simulated.
+  /// For the value that changes most by the error of so many substeps; nothing where the model cannot be simulated.
   std::optional<ValueShift> with(int substeps) const;
 
  private:

@@ -12,7 +12,7 @@ JudgedValues ValueJudge::judge(std::string name, const std::vector<double>& valu
   judged.problem = std::make_unique<ShootingProblem>(
       predictor, space, make_segments(predictor, states, length, space.to_values(within)), noise);
   judged.problem->set_steps(stage.steps());
-  // Of values at which the start of a trial cannot be simulated nothing is known of all trials.
+  // If the start of one trial cannot be simulated with some values, nothing is known for all trials.
   if (judged.problem->segments().size() == stage.segments().size())
     judged.candidate = evaluate(*judged.problem, within, options);
   return judged;

@@ -9,19 +9,20 @@
 
 namespace lacuna {
 
-/// Values with what a fit's last stage makes of them as they are.
+/// Values with their evaluation by a fit's last stage.
 struct JudgedValues {
-  std::string name;  ///< where they come from
+  std::string name;  ///< origin of the values
   std::unique_ptr<ShootingProblem> problem;
   Candidate candidate;
 
-  /// What the fit minimises, per sample, so that values whose starts tell other samples can be compared; infinite where
+  /// The objective of the fit, per sample, so that values with different scored samples can be compared; infinite where
   /// the model cannot be simulated.
   double objective() const;
 };
 
-/// Judges values by a fit's last stage: the one measure by which a result is chosen, whatever searches led to it. The
-/// trials' starts are told by the values themselves. Everything referred to must outlive the judge and what it judged.
+/// Evaluates values by a fit's last stage: the one measure by which a result is chosen, whatever searches led to it.
+/// The trials' initial states are estimated with the values. Everything that it refers to must outlive the evaluator
+/// and its results.
 struct ValueJudge {
   const TrialPredictor& predictor;
   const StartStates& states;

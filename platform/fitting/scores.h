@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// The figures of one channel over the rows from `first_scored` on that were measured. `floor` is filled in, what
-/// needs other predictions (as written, numerical, start) is not.
+/// The figures of one channel over the measured rows from `first_scored` on. `floor` is filled in; figures that need
+/// other predictions (as written, numerical, start) are not.
 ChannelScore score_channel(const TrialComparison& comparison, Eigen::Index channel, const FloorValue& floor);
 
 /// Every channel over all fit trials, and over all held-out trials; without those that measured nothing to score.

@@ -24,7 +24,7 @@ bool drifts(double before, const FittedValue& value) {
   return moved(before, value.value) && !within;
 }
 
-/// 0 is the size of an effect that is not there; at any other end of its range a value is not told.
+/// 0 means that the effect is absent; at any other end of its range a value is not determined.
 bool is_at_end(double value, const FreeValue& free) {
   const double near = kNear * (free.upper - free.lower);
   const auto is = [&](double end) { return end != 0.0 && std::isfinite(near) && std::abs(value - end) <= near; };

@@ -48,8 +48,8 @@ std::string why_not_cut(const TrialPredictor& predictor, const StartStates& stat
   return "";
 }
 
-/// Time until what is uncertain of the start, estimated on `head` s, shows as `growth` × noise; infinite
-/// if it never does, nothing if the model cannot be simulated.
+/// Time until the uncertainty of the initial state, estimated on `head` s, reaches `growth` × noise; infinite if it
+/// never does, nothing if the model cannot be simulated.
 std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,
                                    const std::vector<double>& values, int worker, double head, double growth) {
   const StartEstimate estimate = fit_head(predictor, states, stretch, values, worker, head);
@@ -69,14 +69,14 @@ std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartS
   return std::numeric_limits<double>::infinity();
 }
 
-/// From a sample on to the trial's end, or for as long as a prediction goes on.
+/// From a sample to the trial's end, or to the restart of the prediction.
 Stretch probe_at(const TrialPredictor& predictor, std::size_t trial, Eigen::Index first, double restart) {
   const Eigen::VectorXd& times = predictor.trials()[trial].measured.times;
   const double* end = times.data() + times.size();
   return {trial, first, std::upper_bound(times.data() + first, end, times(first) + kHead + restart) - times.data()};
 }
 
-/// Of trials whose predictions start anew after a while, no stage is longer.
+/// For trials whose predictions restart after a while, no stage is longer.
 PlannedStage limited(PlannedStage last, const TrialPredictor& predictor, const StartStates& states,
                      std::vector<std::string>& notes) {
   double restart = std::numeric_limits<double>::infinity();

@@ -16,14 +16,14 @@
 namespace lacuna {
 namespace {
 
-constexpr double kToleratedShare = 0.05;  ///< of what is not known of a prediction
-constexpr double kLeastOfSignal = 3e-3;   ///< a channel's standard deviation: few models are better
+constexpr double kToleratedShare = 0.05;  ///< of the unavoidable uncertainty of a prediction
+constexpr double kLeastOfSignal = 3e-3;   ///< of a channel's standard deviation: few models are better
 constexpr double kToleratedShift = 0.1;   ///< of half a value's 95 % interval
 constexpr int kMostSubsteps = 128;
-constexpr int kMostForValues = 16;    ///< times as many as the motion needs: a fit's time goes with them
-constexpr double kLargestLeap = 4.0;  ///< times as many, at once: the order may not show yet
-constexpr double kHelped = 0.7;       ///< of what the order promises: a chaotic motion follows no step
-constexpr std::size_t kTrials = 8;    ///< spread evenly over those that there are
+constexpr int kMostForValues = 16;    ///< times as many as the motion needs: a limit on the time of a fit
+constexpr double kLargestLeap = 4.0;  ///< times as many, in one trial: the order of convergence may not show yet
+constexpr double kHelped = 0.7;     ///< of the improvement expected from the order: a chaotic motion does not converge
+constexpr std::size_t kTrials = 8;  ///< evenly spread over all trials
 
 std::vector<Trial> some_of(const std::vector<Trial>& trials) {
   std::vector<Trial> chosen;
@@ -88,7 +88,7 @@ class TwoSolutions {
     return found == noise_.end() ? 0.0 : found->deviation;
   }
 
-  /// One a channel of the trial; none where it cannot be simulated.
+  /// One per channel of the trial; none where it cannot be simulated.
   std::vector<ChannelShare> shares_of(const TrialPredictor& predictor, const TrialPredictor& fine,
                                       const StartStates& states, std::size_t trial, int worker) const {
     throw_if_asked_to_stop();
@@ -121,7 +121,7 @@ class TwoSolutions {
     double most = 0.0;
     for (const auto& [name, share] : pooled)
       if (share.change > 0.0) most = std::max(most, std::sqrt(share.change / share.unknown));
-    return most * 4.0 / 3.0;  // half the step leaves a quarter of the error
+    return most * 4.0 / 3.0;  // with half the step, a quarter of the error remains
   }
 
   const ModelDefinition& definition_;
@@ -131,13 +131,13 @@ class TwoSolutions {
   int threads_;
 };
 
-/// As many as the order promises to need where `substeps` leave so many times what is tolerated.
+/// The number expected from the order where the error with `substeps` is so many times the tolerance.
 int next_count(int substeps, double excess) {
   const double wanted = std::ceil(substeps * std::sqrt(excess));
   return static_cast<int>(std::clamp(wanted, substeps + 1.0, kLargestLeap * substeps));
 }
 
-/// The most that `count` substeps may leave to be worth it, where `before` leave so much.
+/// The largest error with `count` substeps that justifies them, given the error before.
 double promised(double left, int before, int count) {
   const double kept = std::pow(static_cast<double>(before) / count, 2);
   return left * (1.0 - kHelped * (1.0 - kept));
@@ -171,7 +171,7 @@ void suffice_for_values(const IntegrationBias& bias, Substeps& found) {
   found.enough = found.shift.share <= kToleratedShift;
 }
 
-/// Of these, as many as the values need that a fit would find.
+/// Of these, as many as the fitted values need.
 Substeps sufficient_for_values(const ModelDefinition& definition, const std::vector<Trial>& trials,
                                std::span<const double> values, int threads, const FitSection& options,
                                const TwoSolutions& solutions, Substeps found) {
@@ -200,7 +200,7 @@ Substeps sufficient_substeps(const ModelDefinition& definition, const std::vecto
   try {
     return sufficient_for_values(definition, trials, values, threads, options, solutions, found);
   } catch (const TimeIsUp&) {
-    return found;  // the limit stays: what comes next says where it ended
+    return found;  // the limit stays: the next step reports where it ended
   }
 }
 

@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-/// Shows a controller a part of the readings. What it is shown stands at the end of its state, so that nothing is
+/// Gives a controller only a part of the readings. This part is kept at the end of its state, so that nothing is
 /// allocated.
 class PartialView : public Controller {
  public:
@@ -25,7 +25,7 @@ class PartialView : public Controller {
   }
 
  private:
-  std::shared_ptr<const Controller> controller_;  // shared with whoever made the test
+  std::shared_ptr<const Controller> controller_;  // shared with the test's creator
   std::vector<std::size_t> channels_;
 };
 

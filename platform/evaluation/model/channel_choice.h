@@ -12,17 +12,15 @@
 
 namespace lacuna {
 
-/// The channels of the sensors that patterns such as `sensor.range*` name, in the robot's order, as indices into its
-/// channels. Without patterns none. Complains at `key` about patterns that name no sensor.
+/// The channels of the sensors that match patterns such as `sensor.range*`, in the robot's order, as indices into its
+/// channels. Without patterns none. Complains at `key` about patterns that match no sensor.
 std::vector<std::size_t> chosen_channels(const RobotSpec& robot, const std::vector<std::string>& patterns,
                                          const std::string& key, Complaints& complaints);
 
-/// A test whose controller is shown these channels only, of all that a robot has. Commands that were there beforehand
-/// see nothing and stay as they are.
+/// A test whose controller gets only these channels of the robot. Tests with commands stay unchanged.
 Test with_view(Test test, const std::vector<std::size_t>& channels);
 
-/// The trial with the measurements of these channels only, in the trial's order. Throws `Error` where it measured none
-/// of them.
+/// The trial with only these measured channels, in the trial's order. Throws `Error` where it measured none of them.
 Trial with_channels(Trial trial, const std::vector<std::string>& names);
 
 }  // namespace lacuna

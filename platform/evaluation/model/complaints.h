@@ -20,9 +20,9 @@ class Complaints {
   void add(const std::string& key, const Error& error) {
     problems_.add_of_key(experiment_.where(key), key, error.what(), reason_of(error));
   }
-  /// Of something that stands elsewhere, as in the robot file.
+  /// For a problem at another place, such as in the robot file.
   void add_at(const SourceLocation& place, const std::string& message) { problems_.add(place, message); }
-  /// Where `key` stands, or the nearest table around it.
+  /// The place of `key`, or of the nearest table around it.
   SourceLocation where(const std::string& key) const { return experiment_.where(key); }
   /// Complains where the number at `key` was written in a unit of another dimension.
   void check_unit(const std::string& key, const std::string& unit) { experiment_.check_unit(key, unit, problems_); }

@@ -20,20 +20,20 @@ struct Chosen {
   const Interface* operator->() const { return component; }
 };
 
-/// Where a file makes the choice: "estimation.search" and "estimation.parameters".
+/// The keys of the choice in a file: "estimation.search" and "estimation.parameters".
 struct ChoiceKeys {
   std::string name;
   std::string parameters;
 };
 
-/// The given values, and the defaults of those not given. Complains below `key` about names that are not declared,
-/// values out of their declared bounds and units of another dimension; nothing then.
+/// The given values, and the defaults of the others. Complains below `key` about names that are not declared, values
+/// outside their declared bounds and units of another dimension; nothing then.
 std::optional<std::vector<double>> parameter_values(const ParameterDeclarations& declarations,
                                                     const std::map<std::string, double>& given,
                                                     const ComponentOrigin& origin, const std::string& key,
                                                     Complaints& complaints);
 
-/// The component that the file names; without one (`component` null) where it complained.
+/// The component that the file names; without one (`component` null) after a complaint.
 template <class Interface>
 Chosen<Interface> choose(const PluginCatalog& catalog, const ComponentChoice& choice, const ChoiceKeys& keys,
                          Complaints& complaints) {

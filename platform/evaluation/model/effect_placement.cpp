@@ -14,7 +14,7 @@
 namespace lacuna {
 namespace {
 
-/// An entry of the list that is in order, with all that was found out about it.
+/// A valid entry of the list, with its plugin and elements.
 struct Placement {
   EffectEntry entry;
   EffectDescription description;
@@ -43,7 +43,7 @@ bool same_elements(const RobotSpec& a, const RobotSpec& b) {
          a.actuators.size() == b.actuators.size() && a.sensors.size() == b.sensors.size();
 }
 
-/// Of a parameter where the effect stands.
+/// Unit of a parameter at the effect's place.
 std::string unit_of(const ParameterDeclaration& declaration, const RobotSpec& robot, const PlacedEffect& placed) {
   return placed.elements.empty() ? declaration.unit
                                  : unit_at(declaration.unit, robot, placed.kind, placed.elements.front());
@@ -157,7 +157,7 @@ class EntryCheck {
     return true;
   }
 
-  /// The same elements under their own names, so that equal models have equal lists.
+  /// The names of the elements instead of patterns, so that equal models have equal lists.
   void name_elements(const RobotSpec& robot) {
     entry_.where.clear();
     for (const int element : placed_.elements) {
@@ -200,7 +200,7 @@ class EntryCheck {
     }
   }
 
-  /// An effect may have reasons of its own not to go where it is put; it says so when it amends the robot.
+  /// An effect may object to its place; it does so when it amends the robot.
   void try_amend(const RobotSpec& robot) {
     try {
       const EffectHooks hooks = guarded_call(origin_, "stages", [this] { return placed_.effect->hooks(); });

@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-/// Effects with the values that a fit found, in the order in which an engine asks them.
+/// Effects with fitted values, in the order in which an engine calls them.
 std::vector<PlacedEffect> valued_effects(const ModelDefinition& definition,
                                          const std::map<std::string, double>& fitted) {
   std::vector<PlacedEffect> effects = definition.structure.effects;
@@ -29,7 +29,7 @@ std::vector<PlacedEffect> valued_effects(const ModelDefinition& definition,
   return effects;
 }
 
-/// A mass takes the inertia along, so it comes before moments of inertia that are fitted beside it.
+/// A mass scales the inertia, so it is set before moments of inertia that are fitted, too.
 void assign_fitted(RobotSpec& robot, const std::map<std::string, double>& fitted) {
   std::vector<AddressedValue> values = addressed_values(robot);
   std::stable_partition(values.begin(), values.end(),
@@ -51,7 +51,7 @@ bool only_amends(const PlacedEffect& placed) {
          hooks.sensor == SensorStage::none;
 }
 
-/// The addresses at which the robots differ; nothing where they differ elsewhere, too.
+/// The addresses at which the robots differ; nothing where they differ in other ways, too.
 std::optional<std::vector<std::string>> changed_values(RobotSpec before, RobotSpec after) {
   std::vector<AddressedValue> old = addressed_values(before);
   const std::vector<AddressedValue> now = addressed_values(after);

@@ -35,7 +35,7 @@ KnownSetup setup_of(const MeasuredFile& file, const ModelDefinition& definition,
   return setup;
 }
 
-/// Two recordings with unknown values of their own are never the same.
+/// Two recordings with their own unknown values are never the same setup.
 bool is_same(const KnownSetup& a, const KnownSetup& b) {
   return a.settings == b.settings && a.own.empty() && b.own.empty() && a.name().empty() == b.name().empty();
 }
@@ -74,7 +74,7 @@ const KnownSetup& find_setup(const std::vector<KnownSetup>& setups, const std::s
     names.insert(names.end(), setup.names.begin() + 1, setup.names.end());
     texts.push_back(fmt::format("{} ({})", setup_to_type(setup), settings_text(setup)));
   }
-  for (const KnownSetup& setup : setups)  // a recording may have that name
+  for (const KnownSetup& setup : setups)  // a recording may be named "none"
     if (name == kNone && setup.name().empty()) return setup;
   if (!any_is_set(setups))
     throw_problem(

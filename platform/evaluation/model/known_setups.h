@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// A setup that recordings have, so that the rig can have it again: what is set in it, and what is fitted to it alone.
+/// A setup of recordings that the rig can have again: its set values, and the values fitted to it alone.
 struct KnownSetup {
   struct Setting {
     std::string address;
@@ -16,28 +16,27 @@ struct KnownSetup {
     std::string unit;
     bool operator==(const Setting&) const = default;
   };
-  std::vector<std::string> names = {""};     ///< of recordings that set the same; "": none, the model's values
+  std::vector<std::string> names = {""};     ///< of recordings with the same set values; "": none, the model's values
   std::vector<Setting> settings = {};        ///< by address
   std::vector<std::string> own = {};         ///< addresses of values that are unknown and fitted to this setup alone
   std::vector<std::string> recordings = {};  ///< their files, without folders
 
-  /// As a test names it.
+  /// The setup as a test names it.
   const std::string& name() const { return names.front(); }
   bool operator==(const KnownSetup&) const = default;
 };
 
-/// The setups of the recordings, each once, in the order of the file: the first is that of a test whose setup nobody
-/// names. Recordings that set the same and have no values of their own share one. The model as it is, without a setup,
-/// is one where a recording has none, or there is no recording.
+/// The setups of the recordings, each once, in the order of the file; the first is the default of a test. Recordings
+/// with the same set values and without their own unknown values share one. The model as it is, without a setup, is in
+/// the list if a recording has none, or if there is no recording.
 std::vector<KnownSetup> known_setups(const ModelDefinition& definition, const RecordingSource& source);
 
-/// Whether any recording has a setup; else nobody wants to read of setups.
+/// Whether any recording has a setup; otherwise messages do not mention setups.
 bool any_is_set(const std::vector<KnownSetup>& setups);
 
-/// What to type for it: its name, or "none".
+/// The word to type for it: its name, or "none".
 std::string setup_to_type(const KnownSetup& setup);
-/// The setup of that name, or "none" for the model as it is. Throws `BadInput` with a sentence that lists the known
-/// ones.
+/// The setup of that name, or "none" for the model as it is. Throws `BadInput` with a list of the known ones.
 const KnownSetup& find_setup(const std::vector<KnownSetup>& setups, const std::string& name);
 
 /// "body.load.mass = 0.49 kg, sensor.angle.offset fitted to it alone"; without a setup "values of the model".

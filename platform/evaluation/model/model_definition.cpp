@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-/// The robot as its plugin makes it; one without bodies where that fails.
+/// The robot of its plugin; one without bodies where the plugin fails.
 RobotSpec build_robot(const SystemSource& source, const PluginCatalog& catalog, Complaints& complaints) {
   const Chosen<RobotDefinition> plugin =
       choose<RobotDefinition>(catalog, {source.section.robot, source.section.parameters},

@@ -12,24 +12,24 @@ namespace lacuna {
 
 /// A value that a fit may change.
 struct FreeValue {
-  std::string address;  ///< `body.arm.mass`, `effect.friction.torque`; of one setup alone: `body.load.mass@heavy`
+  std::string address;  ///< `body.arm.mass`, `effect.friction.torque`; of a single setup: `body.load.mass@heavy`
   std::string unit;
   double lower = 0.0;
   double upper = 0.0;
   double start = 0.0;
   Scale scale = Scale::linear;
   std::string description = {};
-  /// What the robot has where no file gives a start and that value lies outside the bounds; `start` is the nearest
+  /// The robot's value, where no file gives a start and that value lies outside the bounds; `start` is the nearest
   /// bound.
   std::optional<double> own = {};
-  std::string setup = {};  ///< the only one that it belongs to; empty: all
+  std::string setup = {};  ///< the only setup that it belongs to; empty: all
 };
 
-/// The model section of an experiment with its plugins: what is compiled, fitted and stored.
+/// The model section of an experiment with its plugins: it is compiled, fitted and stored.
 struct ModelDefinition {
   ModelStructure structure;     ///< its `parameters` are `free`, in this order; its `setups` those of the target
   std::vector<FreeValue> free;  ///< the robot's first, then the effects' in canonical order
-  EffectList effects;  ///< canonical: sorted by effect, where, id; elements named singly, start values complete
+  EffectList effects;  ///< canonical: sorted by effect, where, id; elements named one by one, start values complete
   EngineSettings engine;
 
   std::vector<double> start_values() const;
@@ -38,8 +38,8 @@ struct ModelDefinition {
 /// A section of an experiment that describes a robot.
 struct SystemSource {
   const ModelSection& section;
-  std::string key;            ///< what the file calls it: "model" or "target"
-  std::string free;           ///< its table of what may vary: "free" or "hidden"
+  std::string key;            ///< name in the file: "model" or "target"
+  std::string free;           ///< its table of variable values: "free" or "hidden"
   bool effects_free = false;  ///< the parameters of its effects may vary, too
 };
 
@@ -48,9 +48,9 @@ struct SystemSource {
 /// bounds, addresses that match nothing, effects that cannot be placed there.
 ModelDefinition define_model(const Experiment& experiment, const PluginCatalog& catalog);
 
-/// The same for the robot of a simulated target: its free values are those that the experiment hides, the sensors have
-/// the noise that it states, and the effects have their start values. The engine is that of the models, but "ode" where
-/// theirs cannot move it.
+/// The same for the robot of a simulated target: its free values are the hidden ones, the sensors have the noise that
+/// it states, and the effects have their start values. The engine is that of the models, or "ode" where theirs cannot
+/// simulate it.
 ModelDefinition define_target(const Experiment& experiment, const PluginCatalog& catalog);
 
 }  // namespace lacuna

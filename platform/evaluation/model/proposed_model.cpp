@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-/// Of the effects that a proposal does without.
+/// Names of the effects that a proposal leaves out.
 std::string misfit_of_effects(const std::vector<std::size_t>& without, const std::vector<ModelEffect>& effects) {
   for (std::size_t i = 0; i < without.size(); ++i) {
     if (without[i] >= effects.size())

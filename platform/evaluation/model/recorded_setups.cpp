@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-/// What a value is in one recording.
+/// The role of a value in one recording.
 enum class Told { as_in_all, set, own };
 
 class SetupBuilder {
@@ -41,7 +41,7 @@ class SetupBuilder {
   }
 
  private:
-  /// Indices of the places that the pattern means; complains where it means none.
+  /// Indices of the places that the pattern matches; complains where it matches none.
   std::vector<std::size_t> find(const std::string& pattern, const std::string& key) {
     std::vector<std::size_t> found;
     std::vector<std::string> known;
@@ -96,7 +96,7 @@ class SetupBuilder {
     }
   }
 
-  /// A free value that every recording to be fitted replaces is told by none of them.
+  /// A free value that every fit recording replaces is determined by none of them.
   void settle(std::size_t p) {
     const auto free = std::find_if(definition_.free.begin(), definition_.free.end(),
                                    [&](const FreeValue& value) { return value.address == places_[p].value.address; });

@@ -6,10 +6,10 @@
 
 namespace lacuna {
 
-/// Gives the model the setups of the recordings: what each sets, and a free value for what is unknown and its own, with
-/// the bounds and the start that the address has in all recordings. A value that no recording to be fitted shares any
-/// more is no longer free. The effects must be placed. Complains of addresses that match nothing, impossible values,
-/// bounds that nobody gives, and values that no recording can tell.
+/// Gives the model the setups of the recordings: the set values of each, and a free value for each of its own unknown
+/// values, with the bounds and the start that the address has in all recordings. A value that no fit recording shares
+/// any more is no longer free. The effects must be placed. Complains of addresses without a match, impossible values,
+/// missing bounds, and values that no recording determines.
 void add_setups(ModelDefinition& definition, const RecordingSource& source, Complaints& complaints);
 
 }  // namespace lacuna

@@ -25,7 +25,7 @@ bool is_free(const ModelDefinition& model, const std::string& address) {
                      [&](const FreeValue& one) { return one.address == address; });
 }
 
-/// The free parameters somewhere in their ranges, the others as they are. Empty: none is free.
+/// The free parameters at values within their ranges, the others as they are. Empty: none is free.
 std::vector<double> values_somewhere(const ModelDefinition& model, const PlacedEffect& placed) {
   const std::vector<ParameterDeclaration> parameters =
       guarded_call(origin_of(placed), "describe", [&] { return placed.effect->describe(); }).parameters;
@@ -40,7 +40,7 @@ std::vector<double> values_somewhere(const ModelDefinition& model, const PlacedE
   return any ? values : std::vector<double>{};
 }
 
-/// Free values by which the robot becomes the amended one. Empty: it does not.
+/// Free values with which the robot equals the amended one. Empty: there are none.
 std::vector<std::string> free_values_that_do(const ModelDefinition& model, RobotSpec amended) {
   RobotSpec robot = model.structure.robot;
   std::vector<AddressedValue> own = addressed_values(robot);

@@ -6,9 +6,9 @@
 
 namespace lacuna {
 
-/// A sentence where an effect of the model (`id` of its entry) does nothing but change values of the robot that the
-/// model leaves free, as viscous friction does with a free damping of its joint: no data tell the two apart. Empty:
-/// it does something of its own, or nothing of it is free.
+/// A sentence where an effect of the model (`id` of its entry) only changes values of the robot that are free in the
+/// model, as viscous friction does beside a free damping of its joint: data cannot distinguish the two. Empty: the
+/// effect has another influence, or none of it is free.
 std::string redundancy_of(const ModelDefinition& model, const std::string& id);
 
 }  // namespace lacuna

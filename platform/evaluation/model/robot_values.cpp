@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kBoundRounding = 1e-9;  ///< of the larger bound
-constexpr int kBoundDigits = 6;          ///< enough to tell a value from a bound that it misses
+constexpr int kBoundDigits = 6;          ///< tolerance for a value at a bound
 
 /// `body.torso.mass` → `body.*.mass`; `contact.friction` stays.
 std::string with_star(const std::string& address) {
@@ -41,7 +41,7 @@ std::string matches_nothing(const std::string& pattern, const std::vector<Addres
   return "matches no value of the robot" + did_you_mean(pattern, candidates) + alike;
 }
 
-/// For each value the pattern that means it most closely, if one does.
+/// For each value the most specific pattern that matches it, if any.
 std::vector<std::optional<std::size_t>> closest_patterns(const std::vector<AddressedValue>& values,
                                                          const std::vector<std::string>& patterns,
                                                          const std::string& table, Complaints& complaints) {
@@ -71,14 +71,14 @@ void scale_inertia(InertiaSpec& inertia, double factor) {
     *moment *= factor;
 }
 
-/// Bounds and value may be written in other units, "800 g" and 0.8: their last digits do not count.
+/// Bounds and value may be written in different units, "800 g" and 0.8, which differ in their last digits.
 bool is_within(double value, const FreeRange& range) {
   const double rounding = kBoundRounding * std::max(std::abs(range.lower), std::abs(range.upper));
   return value >= range.lower - rounding && value <= range.upper + rounding;
 }
 
-/// The place in the robot file that gives this value, if one does: its key, that of the vector which it is a component
-/// of, or the body whose shapes tell its mass and inertia.
+/// The place in the robot file that gives this value, if any: its key, that of its vector, or the body whose shapes
+/// determine its mass and inertia.
 std::optional<SourceLocation> place_in_robot_file(const ModelSection& section, const std::string& address) {
   if (!section.declared) return std::nullopt;
   if (address.starts_with("body.")) return nearest_location(section.robot_places, address, section.file.string());
@@ -88,7 +88,7 @@ std::optional<SourceLocation> place_in_robot_file(const ModelSection& section, c
   return found == section.robot_places.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The pattern of `[model.set]` that gave the value, if one did: the closest.
+/// The pattern of `[model.set]` that set the value, if any: the most specific.
 std::optional<std::string> set_by(const ModelSection& section, const std::string& address) {
   const auto stars = [](const std::string& pattern) { return std::count(pattern.begin(), pattern.end(), '*'); };
   std::optional<std::string> closest;
@@ -97,8 +97,8 @@ std::optional<std::string> set_by(const ModelSection& section, const std::string
   return closest;
 }
 
-/// Moves to its bounds what no file gives, and complains of a file's value beyond them: the fit would begin with
-/// another model than the one that the files describe.
+/// Moves a value that no file gives to its bounds, and complains of a file's value outside them: the fit would start
+/// from another model than the files describe.
 FreeValue free_value(const AddressedValue& value, const FreeRange& range, const SystemSource& source,
                      Complaints& complaints) {
   const double start = range.start.value_or(*value.value);

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-/// Columns whose channel the robot does not have are the measurement's to report.
+/// Columns for channels that the robot does not have are reported by the measurement.
 void check_columns(const std::string& section, const std::vector<ColumnMapping>& columns,
                    const std::vector<Channel>& channels, Complaints& complaints) {
   for (const ColumnMapping& column : columns) {

@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// Whether what an experiment says of its target and its disturbances fits the robot: elements that
-/// exist, and numbers written in the units of the channels and joints that they belong to.
+/// Checks an experiment's target and disturbances against the robot: elements must exist, and numbers must have the
+/// units of their channels and joints.
 void check_target(const RobotSpec& robot, const Experiment& experiment, Complaints& complaints);
 
 }  // namespace lacuna

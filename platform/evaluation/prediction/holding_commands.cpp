@@ -8,12 +8,12 @@
 namespace lacuna {
 namespace {
 
-constexpr double kOneStep = 1e-6;    ///< s, less than a step: the simulation takes one
-constexpr double kAWhile = 0.02;     ///< s: what only a rotor behind a spring holds for a step moves by then
-constexpr double kStill = 1e-9;      ///< rad/s or m/s
-constexpr double kHeld = 1e-6;       ///< of the velocity that the robot gets without any command
-constexpr double kStillHeld = 0.01;  ///< the same after a while
-constexpr int kMostIterations = 4;   ///< friction and limits bend what is linear otherwise
+constexpr double kOneStep = 1e-6;  ///< s, less than a step: the simulation takes one
+constexpr double kAWhile = 0.02;   ///< s: time in which a rotor behind a spring, which holds for a step, starts to move
+constexpr double kStill = 1e-9;    ///< rad/s or m/s
+constexpr double kHeld = 1e-6;     ///< of the velocity that the robot reaches without any command
+constexpr double kStillHeld = 0.01;  ///< the same after a longer time
+constexpr int kMostIterations = 4;   ///< friction and limits make the problem nonlinear
 
 /// Velocities after a time under constant commands.
 class FromRest {
@@ -51,7 +51,7 @@ class FromRest {
   StateSection velocities_;
 };
 
-/// How the velocities follow the commands that are sought.
+/// Derivatives of the velocities by the unknown commands.
 bool slopes(FromRest& from_rest, const Eigen::VectorXd& commands, const std::vector<Eigen::Index>& sought,
             const Eigen::VectorXd& velocities, Eigen::MatrixXd& slopes) {
   slopes.resize(velocities.size(), static_cast<Eigen::Index>(sought.size()));

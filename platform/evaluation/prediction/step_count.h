@@ -9,15 +9,15 @@
 
 namespace lacuna {
 
-/// Integration steps of one simulation above which nothing is begun: a machine takes minutes for them, and every
-/// command simulates hundreds of times.
+/// Largest number of integration steps of one simulation: more take minutes, and every command simulates hundreds of
+/// times.
 inline constexpr double kMostSteps = 1e8;
 
-/// Throws `BadInput` at `engine.step` where one simulation of `duration` s makes more steps than that. `what` says of
-/// what: "of fit.csv".
+/// Throws `BadInput` at `engine.step` where one simulation of `duration` s needs more steps than that. `what` names the
+/// simulation: "of fit.csv".
 void check_step_count(const Experiment& experiment, double duration, const std::string& what);
 
-/// The same for the longest of the trials and, where the target takes tests, for a test; in the finer steps of a
+/// The same for the longest of the trials and, where the target takes tests, for a test; with the finer steps of a
 /// simulated target, if it has any.
 void check_step_count(const Experiment& experiment, const std::vector<Trial>& trials, bool takes_tests);
 

@@ -10,13 +10,14 @@
 
 namespace lacuna {
 
-/// How long a test lasts and when its sensors are read: 0, p, 2p ... up to the duration, p being the control period.
+/// Duration of a test and times at which its sensors are read: 0, p, 2p ... up to the duration, p being the control
+/// period.
 std::vector<double> sample_times(const EngineSettings& engine, double duration);
 
 /// Carries tests out on a robot with the hidden truth, with noise and quantisation. One thread at a time.
 class TargetSimulator : public Simulator {
  public:
-  /// `hidden`: one value a `definition.free`. Trials are as reproducible as `noise_seed` and their numbers.
+  /// `hidden`: one value per `definition.free`. Trials are reproducible from `noise_seed` and their numbers.
   TargetSimulator(const ModelDefinition& definition, std::vector<double> hidden, std::uint64_t noise_seed);
   ~TargetSimulator() override;
 

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// What one thread works with.
+/// Workspace of one thread.
 struct TestPredictor::Desk {
   CandidateDesk candidate;
   SimulationOptions options = {};

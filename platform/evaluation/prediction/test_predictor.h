@@ -13,19 +13,19 @@
 
 namespace lacuna {
 
-/// Says what models would do in tests that nobody has carried out. The compiled model, and the definition where models
-/// may bring a robot of their own or do without effects, must outlive it.
+/// Predicts tests with models. The compiled model, and the definition where models may have their own robot or lack
+/// effects, must outlive it.
 class TestPredictor {
  public:
   /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads. `models`: how many take turns,
-  /// whose own robots stay compiled. `start`: when tests begin, s.
+  /// so that their own robots stay compiled. `start`: when tests begin, s.
   TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
                 const ModelDefinition* definition = nullptr, std::size_t models = 1, double start = 0.0);
   ~TestPredictor();
 
   int workers() const { return static_cast<int>(desks_.size()); }
-  /// Fills `prediction`, whose memory is reused, and counts the steps taken onto `steps`. False: the model cannot carry
-  /// the test out; `reason` says why.
+  /// Fills `prediction`, reusing its memory, and adds the steps taken to `steps`. False: the model cannot carry the
+  /// test out; `reason` says why.
   bool predict(const ModelProposal& candidate, const Test& test, int worker, TestPrediction& prediction,
                std::uint64_t& steps, std::string& reason) const;
 

@@ -9,12 +9,12 @@
 
 namespace lacuna {
 
-/// What a test of that duration (s) can see and drive on a robot. The limits of an actuator are those in which its
-/// command is not clipped, and of a plain force what its force limit asks for; infinite where it declares none.
+/// The channels and commands of a test of that duration (s) on a robot. The limits of an actuator are those in which
+/// its command is not clipped, and for a plain force those of its force limit; infinite where it declares none.
 TestSpace test_space(const RobotSpec& robot, const EngineSettings& engine, double duration);
 
-/// Limits that are not declared become the smallest and the largest command of the trials; infinite where no trial
-/// commands the actuator.
+/// Limits that are not declared become the smallest and the largest command of the trials; infinite where no trial has
+/// commands for the actuator.
 void limit_to_trials(TestSpace& space, const std::vector<Trial>& trials);
 
 }  // namespace lacuna

@@ -11,8 +11,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostReadings = 10.0;  ///< intervals of readings that a command interval counts as
-constexpr double kLongestDelay = 1.0;   ///< s: no command delay of the library may be longer
+constexpr double kMostReadings = 10.0;  ///< longest command interval, in intervals of readings
+constexpr double kLongestDelay = 1.0;   ///< s: longest command delay of the library
 
 double mean_interval(const Eigen::VectorXd& times) {
   return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
@@ -82,7 +82,8 @@ TrialPredictor::Past TrialPredictor::past_of(Trial& trial) const {
   const TimeSeries& series = trial.commands.series;
   if (before.empty() || series.times.size() == 0 || trial.closed_loop) return Past::known;
   const bool at_rest = starts_at_rest(trial);
-  for (std::size_t c = 0; at_rest && c < before.size(); ++c)  // whatever holds it: a motor that is off was off
+  for (std::size_t c = 0; at_rest && c < before.size();
+       ++c)  // whatever holds the robot: an actuator that is off was off before
     if (std::isnan(before[c]) && is_force(series.channels[c].unit) &&
         series.samples(0, static_cast<Eigen::Index>(c)) == 0.0)
       before[c] = 0.0;

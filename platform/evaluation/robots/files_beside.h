@@ -8,9 +8,9 @@
 
 namespace lacuna {
 
-/// The files in the folder of a robot file and below it, for formats that are spread over several. A path that is
-/// absolute or leads out of the folder, by ".." or by a link, names none; so does a file that cannot be read, that is
-/// longer than 4 MiB, or that comes after 1000 others.
+/// The files in the folder of a robot file and below it, for formats that use several files. Nothing for a path that is
+/// absolute or leads out of the folder, by ".." or by a link; nor for a file that cannot be read, is longer than 4 MiB,
+/// or comes after 1000 others.
 class FolderOfRobot : public FilesBeside {
  public:
   explicit FolderOfRobot(const std::filesystem::path& robot_file);

@@ -7,9 +7,9 @@
 
 namespace lacuna {
 
-/// Makes the joints that `[model] held` names stand still at position zero: they become fixed, and their actuators and
-/// sensors go. `key` is the section's. Adds a problem for a pattern that names no joint, and for a joint that another
-/// one follows, which would not know where to stand.
+/// Holds the joints that `[model] held` names at position zero: they become fixed, and their actuators and sensors are
+/// removed. `key` is the section's. Adds a problem for a pattern that matches no joint, and for a joint that another
+/// one follows.
 void hold_joints(RobotSpec& robot, const Experiment& experiment, const ModelSection& section, const std::string& key,
                  ProblemList& problems);
 

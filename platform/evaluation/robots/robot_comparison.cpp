@@ -11,7 +11,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kSameNumber = 1e-12;  ///< of the larger one
-constexpr double kSameShare = 1e-13;   ///< of the largest number of a vector or tensor, for its small components
+constexpr double kSameShare = 1e-13;   ///< of the largest component of a vector or tensor, for its small components
 constexpr double kSamePlace = 1e-9;    ///< m, or of a unit vector
 
 template <class Spec>
@@ -90,7 +90,7 @@ void compare_channels(const RobotSpec& wanted, const RobotSpec& other, std::vect
   }
 }
 
-/// How large the numbers are among which one stands: of a centre or an inertia, all of its components.
+/// Magnitude of the group of numbers that one belongs to: all components of a centre or an inertia.
 double scale_of(const RobotSpec& robot, const std::string& address) {
   for (const BodySpec& body : robot.bodies) {
     if (!address.starts_with("body." + body.name + ".")) continue;

@@ -33,10 +33,10 @@ std::optional<std::string> original_text(const ModelSection& model, const std::s
   return text;
 }
 
-/// A file that includes others is written as one.
+/// A model of several files is written as one.
 bool stands_alone(const ModelSection& model) { return model.parts.empty(); }
 
-/// The robot of a text as an experiment beside it would have it.
+/// The robot of a text as an experiment beside it would read it.
 RobotSpec read_back(const std::string& text, const std::string& format, const ModelSection& model,
                     const std::filesystem::path& file, const PluginCatalog& catalog) {
   Experiment experiment;
@@ -53,7 +53,7 @@ RobotSpec read_back(const std::string& text, const std::string& format, const Mo
   return *experiment.model.declared;
 }
 
-/// The robot file's own text with other numbers; nothing where it cannot be edited so.
+/// The robot file's text with other numbers; nothing where it cannot be edited in this way.
 std::optional<std::string> edited_toml(const std::string& original, const RobotSpec& robot, const ModelSection& model,
                                        const std::filesystem::path& file, const PluginCatalog& catalog) {
   try {

@@ -34,7 +34,7 @@ std::vector<NamedFormat> formats_of(const PluginCatalog& catalog) {
   return formats;
 }
 
-/// Of several formats with the ending, the one that the text is meant to be of; the first, if it is of none.
+/// Of several formats with the ending, the one that recognises the text; the first, if none does.
 const NamedFormat& format_for(const std::filesystem::path& file, const std::string& text, const PluginCatalog& catalog,
                               const std::vector<NamedFormat>& formats) {
   std::vector<std::string> known = {".toml"};
@@ -79,13 +79,13 @@ RobotFileNote note_on(const SourceLocation& location, const RobotRemark& remark)
   return note;
 }
 
-/// Where a remark or problem of a file, or of one that it includes, stands.
+/// Place of a remark or problem in a file, or in one that it includes.
 SourceLocation place_of(const std::filesystem::path& robot_file, const std::string& part, int line) {
   const std::filesystem::path file = part.empty() ? robot_file : robot_file.parent_path() / part;
   return {file.string(), line, 0};
 }
 
-/// A file that includes others is known by all of their texts.
+/// The digest of a file that includes others covers all of their texts.
 void take_parts(const FolderOfRobot& folder, ModelSection& section) {
   std::string digests = section.file_digest;
   for (const auto& [file, text] : folder.read_files()) {
@@ -133,7 +133,7 @@ void read_foreign(const std::vector<ModelSection*>& foreign, const PluginCatalog
   }
 }
 
-/// Only the formats of others say it in words of their own.
+/// Only foreign formats have these settings.
 void refuse_base(const Experiment& experiment, const ModelSection& section, const std::string& key,
                  ProblemList& problems) {
   if (section.base != RobotBase::as_written && section.declared && !section.foreign_text)

@@ -10,19 +10,19 @@
 
 namespace lacuna {
 
-/// What was done with something in a robot file of others, and where it stands.
+/// What was done with an element of a foreign robot file, and its place.
 struct RobotFileNote {
   SourceLocation location;
   std::string text;
 };
 
-/// Has the robot files of an experiment that are not TOML read by the format plugins whose endings they have; from then
-/// on they are like declared robots. Then joints that `held` names stand still, in robots of any format. Throws
-/// `BadInput` with all that is wrong with them, `Error` where no format has the ending.
+/// Reads the robot files of an experiment that are not TOML with the format plugins of their endings; from then on they
+/// are like declared robots. Then fixes the joints that `held` names, in robots of any format. Throws `BadInput` with
+/// all of their problems, `Error` where no format has the ending.
 std::vector<RobotFileNote> read_robot_files(Experiment& experiment, const PluginCatalog& catalog);
 
 /// The name of the plugin that reads such a file: by its ending, and by its text where several have the ending. Throws
-/// `BadInput` where none has it.
+/// `BadInput` where there is none.
 std::string robot_format_of(const std::filesystem::path& file, const std::string& text, const PluginCatalog& catalog);
 
 }  // namespace lacuna

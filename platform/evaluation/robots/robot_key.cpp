@@ -126,8 +126,8 @@ std::optional<JointKind> kind_of_joint(const RobotSpec& robot, const std::string
   return std::nullopt;
 }
 
-/// Sensors and actuators of joints have their channels and units by the kind of joint that they are on. Both robots
-/// have as many of them.
+/// Channels and units of sensors and actuators on joints depend on the kind of joint. Both robots have the same number
+/// of them.
 std::string misplaced(const RobotSpec& built, const RobotSpec& expected) {
   const auto differ = [&](const std::string& one, const std::string& other) {
     return kind_of_joint(built, one) != kind_of_joint(expected, other);

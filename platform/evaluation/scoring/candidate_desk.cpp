@@ -27,9 +27,9 @@ struct CandidateDesk::Bench {
 
   bool is_of(const ModelProposal& candidate) const { return robot == candidate.robot && without == candidate.without; }
 
-  std::shared_ptr<const RobotSpec> robot;  // shared with whoever proposed it, so that its address means it alone
+  std::shared_ptr<const RobotSpec> robot;  // shared with its creator, so that its address identifies it
   std::vector<std::size_t> without;
-  std::vector<std::size_t> values;  // of a candidate's, those that the model has
+  std::vector<std::size_t> values;  // indices of a candidate's values that the model has
   std::unique_ptr<CompiledModel> owned;
   const CompiledModel& model;
   std::unique_ptr<Workspace> workspace;

@@ -11,23 +11,23 @@
 
 namespace lacuna {
 
-/// Where one thread simulates one candidate after another: with values alone on the compiled model that all share, with
-/// a robot of its own or without some of the effects on one that is compiled for it, of which the last few are kept.
-/// One thread at a time; the same candidate gives the same bits whatever came before.
+/// The worker in which one thread simulates one candidate after another: a candidate with other values only, on the
+/// compiled model that all share; one with its own robot, or without some effects, on a model compiled for it, of which
+/// the last few are kept. One thread at a time; the same candidate gives the same bits whatever came before.
 class CandidateDesk {
  public:
-  /// `shared` must outlive the desk. `definition` is what a candidate's own robot, or one without some effects, is
-  /// compiled with, and must outlive it, too; without one no candidate may bring either. `kept`: how many of the last
-  /// own robots stay compiled, at least one; as many as candidates take turns. Of the shared robot 32 sets of effects
-  /// stay compiled: all that five switches make.
+  /// `shared` must outlive the worker. `definition` is the base for compiling a candidate's own robot or smaller set of
+  /// effects, and must outlive it, too; without it no candidate may have either. `kept`: how many of the last own
+  /// robots stay compiled, at least one; as many as candidates take turns. For the shared robot 32 sets of effects stay
+  /// compiled: all combinations of five switches.
   CandidateDesk(const CompiledModel& shared, const ModelDefinition* definition, std::size_t kept = 1);
   ~CandidateDesk();
   CandidateDesk(CandidateDesk&&) noexcept;
 
-  /// Makes ready for a candidate, which must live until the last simulation. Throws `Error` for a robot that cannot be
-  /// compiled; the desk is as it was before, then.
+  /// Prepares for a candidate, which must live until the last simulation. Throws `Error` for a robot that cannot be
+  /// compiled; the worker then stays as it was.
   void take(const ModelProposal& candidate);
-  /// Simulates what was taken (simulation/compiled_model.h).
+  /// Simulates the candidate of `take` (simulation/compiled_model.h).
   void simulate(const Test& test, const SimulationOptions& options, SimulationResult& result);
 
  private:
@@ -39,10 +39,10 @@ class CandidateDesk {
   std::size_t kept_;
   std::unique_ptr<Bench> shared_;
   Benches own_;       ///< of candidates' own robots
-  Benches switched_;  ///< of the shared robot without some of the effects
+  Benches switched_;  ///< for the shared robot without some of the effects
   const Bench* taken_ = nullptr;
   std::span<const double> values_;
-  std::vector<double> kept_values_;  ///< what `values_` shows of a candidate without some effects
+  std::vector<double> kept_values_;  ///< values of `values_` that a candidate without some effects has
 };
 
 }  // namespace lacuna

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRefinements = 24;  // halvings of the interval around the best whole step
 
-/// What a sensor reads that is late by `delay`, row by row: between two readings linearly, as the engine does.
+/// Readings of a sensor with the delay `delay`, row by row: linear between two readings, like the engine.
 class DelayedReadings {
  public:
   DelayedReadings(const Eigen::VectorXd& times, double delay) : times_(times), delay_(delay) {}
@@ -31,7 +31,7 @@ class DelayedReadings {
   Eigen::Index before_ = 0;  // rows come in order
 };
 
-/// The channels of a trial that a sensor gives, as indices into what was measured.
+/// The channels of a sensor in a trial, as indices into the measured channels.
 std::vector<Eigen::Index> measured_channels(const RobotSpec& robot, const std::string& address, const Trial& trial) {
   std::vector<Eigen::Index> measured;
   for (const SensorSpec& sensor : robot.sensors) {

@@ -9,12 +9,12 @@
 
 namespace lacuna {
 
-/// What one thread remembers of a model's readings without delay, so that delays can be tried on them.
-using TrialReadings = std::vector<TimeSeries::Samples>;  ///< one a trial: samples × measured channels
+/// One thread's record of a model's readings without delay, on which delays are tried.
+using TrialReadings = std::vector<TimeSeries::Samples>;  ///< one per trial: samples × measured channels
 
-/// Finds delays of sensors without simulating: where commands are replayed, a delay shifts what a sensor reads and
-/// changes nothing else, so the best one is that at which the shifted readings are nearest to the measured ones, sensor
-/// by sensor. Before the first reading a delayed sensor reads what it read at the start. Const and shared by threads.
+/// Finds delays of sensors without simulating. Where commands are replayed, a delay only shifts the readings of a
+/// sensor, so the best delay is the one at which the shifted readings are nearest to the measured ones, sensor by
+/// sensor. Before the first reading a delayed sensor reads its value at the start. Const and shared by threads.
 class LagProfile {
  public:
   LagProfile() = default;
@@ -24,12 +24,12 @@ class LagProfile {
              const std::vector<ScoredTrial>& trials);
 
   bool empty() const { return lags_.empty(); }
-  /// Sets the delays to nothing, as the readings that `fit` is given must be simulated.
+  /// Sets the delays to zero, as needed for the readings that are passed to `fit`.
   void clear_delays(std::span<double> values) const {
     for (const Lag& lag : lags_) values[lag.value] = 0.0;
   }
-  /// Shifts `readings` by the delays that fit best, mean absolute differences over all trials, and writes the delays,
-  /// s, into `values`. Of delays that fit alike the smallest.
+  /// Shifts `readings` by the delays that fit best, by mean absolute differences over all trials, and writes the
+  /// delays, s, into `values`. Of delays that fit equally well the smallest.
   void fit(TrialReadings& readings, std::span<double> values) const;
 
  private:
@@ -44,7 +44,7 @@ class LagProfile {
   const std::vector<ScoredTrial>* trials_ = nullptr;
   std::vector<Lag> lags_;
   double step_ = 0.0;         ///< s, between the delays that are tried
-  bool whole_steps_ = false;  ///< nothing between them means anything
+  bool whole_steps_ = false;  ///< only multiples of it make a difference
 };
 
 }  // namespace lacuna

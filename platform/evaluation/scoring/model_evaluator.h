@@ -15,7 +15,7 @@
 namespace lacuna {
 
 struct EvaluationOptions {
-  bool abandon = true;  ///< end an evaluation that cannot get under the bar
+  bool abandon = true;  ///< end an evaluation that cannot get below the limit
   bool reuse = true;    ///< simulate identical phenotypes once
 };
 
@@ -24,20 +24,20 @@ struct EvaluatedModel {
   bool reused = false;  ///< an identical model was scored before; its score counts
 };
 
-/// Scores the models with these indices, in their order.
+/// Scores the models with these indices, in this order.
 using ScoreModels =
     std::function<std::vector<ModelScore>(std::span<const std::size_t> indices, std::optional<double> bar)>;
 
-/// Scores generations of models, and remembers phenotypes, which are not simulated again.
+/// Scores generations of models; remembers the scores of phenotypes and does not simulate them again.
 class ModelEvaluator {
  public:
   ModelEvaluator(const ModelDefinition& definition, EvaluationOptions options);
 
-  /// One score for each model. Nothing that is above `bar` is known but that. `score` is asked once at most, for those
-  /// that are to be simulated; the trials behind it are the same for all that is remembered.
+  /// One score per model. A score above `bar` may be only a bound. `score` is called at most once, for those that must
+  /// be simulated; all remembered scores must be for the same trials.
   std::vector<EvaluatedModel> evaluate(const std::vector<ModelProposal>& models, std::optional<double> bar,
                                        const ScoreModels& score);
-  /// As if it had been evaluated, for a run that goes on.
+  /// Remembers a score without an evaluation, for a run that is resumed.
   void remember(const ModelProposal& model, const ModelScore& score);
 
  private:

@@ -41,7 +41,7 @@ StartState start_of(const Trial& trial) {
 
 }  // namespace
 
-/// What one thread works with.
+/// Workspace of one thread.
 struct ModelScorer::Desk {
   CandidateDesk candidate;
   std::vector<SimulationOptions> options = {};  // per trial
@@ -49,15 +49,15 @@ struct ModelScorer::Desk {
   std::unique_ptr<ScoreAccumulator> total = {};
   std::vector<std::unique_ptr<ScoreAccumulator>> trials = {};
   std::vector<double> predicted = {};
-  bool reads_finite = true;     // all that the present candidate read
-  TrialReadings readings = {};  // of the trials, where delays are found for a candidate
+  bool reads_finite = true;     // all readings of the current candidate
+  TrialReadings readings = {};  // of the trials, where delays are fitted for a candidate
   ModelProposal unlagged = {};
 };
 
 /// Compares samples while they are simulated.
 struct ModelScorer::Tally {
   const ScoredTrial& scored;
-  std::span<const Eigen::Index> map;  // of the trial's channels to the model's
+  std::span<const Eigen::Index> map;  // indices from the trial's channels to the model's
   const ComponentOrigin& metric;
   ScoreAccumulator& total;
   ScoreAccumulator& of_trial;
@@ -65,9 +65,9 @@ struct ModelScorer::Tally {
   double bar;
   std::string fault;
   bool abandoned = false;
-  bool reads_finite = true;  // what the model read, so far
+  bool reads_finite = true;  // the model's readings so far
 
-  /// Whether the simulation may end here.
+  /// Whether the simulation may end early.
   bool take(std::size_t sample, std::span<const double> readings) {
     const auto row = static_cast<Eigen::Index>(sample);
     if (row < scored.first_sample) return false;
@@ -75,7 +75,7 @@ struct ModelScorer::Tally {
     return add(row, predicted);
   }
 
-  /// The same of readings that are in the order of what was measured.
+  /// The same for readings in the order of the measured channels.
   bool add(Eigen::Index row, std::span<const double> ordered) {
     const TimeSeries::Samples& measured = scored.trial.measured.samples;
     for (const double reading : ordered) reads_finite = reads_finite && std::isfinite(reading);
@@ -207,7 +207,7 @@ void ModelScorer::end_trial(std::size_t t, const Tally& tally, ModelScore& resul
   }));
 }
 
-/// All trials are simulated first: a delay is one for all of them.
+/// All trials are simulated first, because a delay is common to all of them.
 void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
   desk.unlagged = candidate;
   lags_.clear_delays(desk.unlagged.values);

@@ -21,25 +21,25 @@ enum class ScoreKind : std::uint8_t {
   invalid     ///< infinite; `reason` says why
 };
 
-/// What an evaluation of a model found.
+/// The result of a model's evaluation.
 struct ModelScore {
-  double total = 0.0;          ///< over all trials together; smaller is better
-  std::vector<double> trials;  ///< of each trial that was begun; of an abandoned or invalid one the last is a bound
+  double total = 0.0;  ///< over all trials together; smaller is better
+  std::vector<double>
+      trials;  ///< of each trial that was begun; the last one of an abandoned or invalid evaluation is a bound
   ScoreKind kind = ScoreKind::full;
   std::string reason;
   std::uint64_t steps = 0;  ///< integration steps
-  /// The model's free values with the delays that were found for it; empty where none are looked for.
+  /// The model's free values with the fitted delays; empty where none are fitted.
   std::vector<double> values = {};
 };
 
-/// Holds models against trials by a metric. Deterministic: a score depends on the arguments of `score` alone. The
-/// compiled model, and the definition where models may bring a robot of their own or do without effects, must outlive
-/// it.
+/// Compares models with trials by a metric. Deterministic: a score depends only on the arguments of `score`. The
+/// compiled model, and the definition where models may have their own robot or lack effects, must outlive it.
 class ModelScorer {
  public:
-  /// Makes a workspace for each of `workers` threads. `profiled`: free values that are delays of sensors and are not
-  /// the candidates', but found for each of them (lag_profile.h), which takes a definition. Throws `Error` where a
-  /// trial measures what the model does not.
+  /// Makes a workspace for each of `workers` threads. `profiled`: free values that are delays of sensors and not part
+  /// of a candidate, but fitted for each (lag_profile.h), which needs a definition. Throws `Error` where a trial
+  /// measures a channel that the model does not have.
   ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers,
               const ModelDefinition* definition = nullptr, const std::vector<std::size_t>& profiled = {});
   ModelScorer(const ModelScorer&) = delete;
@@ -49,8 +49,7 @@ class ModelScorer {
   std::size_t trials() const { return trials_.size(); }
   int workers() const { return static_cast<int>(desks_.size()); }
 
-  /// Simulates the trials in their order until `bar` cannot be reached any more: a total that is above the bar is
-  /// then certain. Without a bar to the end.
+  /// Simulates the trials in their order until the total is certain to exceed `bar`. Without a limit to the end.
   void score(const ModelProposal& candidate, std::optional<double> bar, int worker, ModelScore& result) const;
 
  private:

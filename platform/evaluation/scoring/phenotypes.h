@@ -9,15 +9,15 @@
 
 namespace lacuna {
 
-/// Whether only whole integration steps of a free value count: a delay that the engine rounds.
+/// Whether only whole integration steps of a free value matter: a delay that the engine rounds.
 bool counts_in_steps(const FreeValue& value, const EngineSettings& engine);
 
-/// Tells models apart by what a simulation can tell of them: their robots, their effects and the values of these, after
-/// rounding where delays are rounded to whole steps.
+/// Identifies models that no simulation can distinguish: equal robots, effects and their values, after rounding where
+/// delays are rounded to whole steps.
 class Phenotypes {
  public:
   explicit Phenotypes(const ModelDefinition& definition);
-  /// Bytes that two proposals share if no simulation tells them apart.
+  /// Bytes that are equal for two proposals if no simulation can distinguish them.
   std::string of(const ModelProposal& model) const;
 
  private:

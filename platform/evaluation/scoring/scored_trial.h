@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// A trial with what is needed to repeat it on a model.
+/// A trial with the data for repeating it on a model.
 struct ScoredTrial {
   Test test;  ///< closed loop: the controller that was used; otherwise the commands
   Trial trial;

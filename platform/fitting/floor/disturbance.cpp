@@ -22,7 +22,7 @@ Eigen::VectorXd merged_times(const Eigen::VectorXd& commands, double step, doubl
   return Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
 }
 
-/// A command at any time, as its hold says.
+/// A command at any time, according to its hold.
 double command_at(const CommandSeries& commands, Eigen::Index channel, double time) {
   const Eigen::VectorXd& times = commands.series.times;
   const auto values = commands.series.samples.col(channel);
@@ -33,7 +33,7 @@ double command_at(const CommandSeries& commands, Eigen::Index channel, double ti
   return values(after - 1) + share * (values(after) - values(after - 1));
 }
 
-/// What was commanded before, where something is known of it, for one more channel, of which nothing is.
+/// Earlier commands, where any are known, extended by one channel of which none are known.
 std::vector<double> with_another(std::vector<double> before) {
   if (!before.empty()) before.push_back(std::nan(""));
   return before;
@@ -130,7 +130,7 @@ CommandSeries with_random_forces(const CommandSeries& commands, const std::vecto
 CommandSeries with_force_pulses(const CommandSeries& commands, const DisturbedJoint& joint,
                                 const std::vector<std::pair<double, double>>& intervals, double force) {
   const Eigen::VectorXd& known = commands.series.times;
-  std::map<double, double> pulses;  // the force at the moments at which it changes, or is about to
+  std::map<double, double> pulses;  // the force at the times at which it changes, or just before
   std::vector<double> times(known.data(), known.data() + known.size());
   for (const auto& [begin, end] : intervals) {
     const double just = 1e-6 * (end - begin);

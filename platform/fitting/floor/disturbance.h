@@ -24,7 +24,7 @@ struct DisturbedJoint {
 /// one that is neither hinge nor slider.
 std::vector<DisturbedJoint> disturbed_joints(const RobotSpec& robot, const NoiseSection& noise);
 
-/// The model with one more force actuator a disturbed joint, through which random forces act.
+/// The model with one more force actuator per disturbed joint, through which random forces act.
 std::unique_ptr<CompiledModel> compile_disturbed(const ModelDefinition& definition,
                                                  const std::vector<DisturbedJoint>& joints);
 
@@ -32,16 +32,15 @@ std::unique_ptr<CompiledModel> compile_disturbed(const ModelDefinition& definiti
 CommandSeries with_command_noise(const CommandSeries& commands, std::span<const double> deviations, std::uint64_t seed,
                                  std::uint64_t draw);
 
-/// Commands with a channel more a disturbed joint, from `begin` to `end` (s): a random force drawn every `step` s,
-/// independently or of first order with the correlation time. Between draws it does what the commands do between
-/// samples: it stays (zero-order hold), or moves on a line to the next draw, which has the same power at low
-/// frequencies.
+/// Commands with one more channel per disturbed joint, from `begin` to `end` (s): a random force drawn every `step` s,
+/// independent or of first order with the correlation time. Between draws it behaves like the commands between samples:
+/// constant (zero-order hold), or linear to the next draw, which has the same power at low frequencies.
 CommandSeries with_random_forces(const CommandSeries& commands, const std::vector<DisturbedJoint>& joints, double step,
                                  double correlation_time, double begin, double end, std::uint64_t seed,
                                  std::uint64_t draw);
 
-/// Commands with a channel more, through which `force` acts during each of the intervals (begin, end; s, ascending, not
-/// overlapping) and none between them.
+/// Commands with one more channel, through which `force` acts during each of the intervals (begin, end; s, ascending,
+/// not overlapping) and is zero between them.
 CommandSeries with_force_pulses(const CommandSeries& commands, const DisturbedJoint& joint,
                                 const std::vector<std::pair<double, double>>& intervals, double force);
 

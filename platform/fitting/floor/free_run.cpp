@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-/// Parts of a trial as long as a run goes on, each with the head of the next.
+/// Parts of a trial between restarts, each with the first samples of the next.
 std::vector<Stretch> parts_of_run(const TrialPredictor& predictor, const StartStates& states, std::size_t trial) {
   const double interval = states.restart(trial);
   const Eigen::VectorXd& times = predictor.trials()[trial].measured.times;
@@ -58,7 +58,7 @@ FreeRun free_run(const TrialPredictor& predictor, const StartStates& states, std
     RunPiece piece{part, fit_head(predictor, states, part, values, worker), 0};
     piece.first_scored = first_scored(predictor, part, piece.start);
     if (piece.first_scored >= part.last && !run.pieces.empty()) continue;
-    if (!run.pieces.empty())  // which goes on until this one is scored
+    if (!run.pieces.empty())  // which continues until this one is scored
       run.pieces.back().stretch.last = std::max(run.pieces.back().stretch.last, piece.first_scored);
     run.pieces.push_back(std::move(piece));
   }

@@ -18,13 +18,13 @@ namespace {
 constexpr std::uint64_t kCommandStream = 1ULL << 32;
 constexpr std::uint64_t kForceStream = 2ULL << 32;
 
-/// Sums of squared departures of one draw, a value a channel; invalid draws do not count.
+/// Sums of squared deviations of one draw, one value per channel; invalid draws do not count.
 struct Departure {
   bool valid = false;
   Eigen::VectorXd squares;
 };
 
-/// How far `commands` lead the prediction away from `base`, over the scored samples.
+/// Change of the prediction from `base` by `commands`, over the scored samples.
 Departure departure(const CompiledModel& model, const Trial& trial, CommandSeries commands, const ScoredStart& start,
                     const std::vector<double>& values, const Prediction& base) {
   throw_if_interrupted();
@@ -41,7 +41,7 @@ Eigen::VectorXd unknown(Eigen::Index channels) {
   return Eigen::VectorXd::Constant(channels, std::numeric_limits<double>::quiet_NaN());
 }
 
-/// RMS over draws and scored samples, a value a channel; NaN where no draw could be simulated.
+/// RMS over draws and scored samples, one value per channel; NaN where no draw could be simulated.
 Eigen::VectorXd rms(const std::vector<Departure>& draws, Eigen::Index channels, Eigen::Index rows) {
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(channels);
   double count = 0.0;

@@ -13,9 +13,8 @@
 
 namespace lacuna {
 
-/// What remains of a free run's error in one channel when the model is right; channel unit, RMS over
-/// the scored time. The three parts add as squares. A part that no disturbed run could show is NaN, and so is the
-/// total.
+/// The error of a right model's free run in one channel; channel unit, RMS over the scored time. The three parts add as
+/// squares. A part without a valid disturbed run is NaN, and so is the total.
 struct FloorValue {
   std::string channel;
   std::string unit;
@@ -26,7 +25,7 @@ struct FloorValue {
   std::string origin;  ///< one sentence about all three
 };
 
-/// The floor of one trial, a value a measured channel.
+/// The floor of one trial, one value per measured channel.
 struct TrialFloor {
   std::string trial;
   std::vector<FloorValue> channels;
@@ -34,13 +33,13 @@ struct TrialFloor {
 
 struct RunPiece;
 
-/// Where a trial's free run starts, and starts anew, and from which sample on it is scored.
+/// Where a trial's free run starts and restarts, and from which sample on it is scored.
 struct ScoredStart {
   const std::vector<RunPiece>* pieces = nullptr;  ///< of the run (free_run.h)
   Eigen::Index first_scored = 0;
 };
 
-/// Everything the floor is computed from.
+/// The input of the floor.
 struct NoiseFloorTask {
   const ModelDefinition& definition;
   const CompiledModel& model;
@@ -53,11 +52,10 @@ struct NoiseFloorTask {
   int threads = 1;
 };
 
-/// The noise floor of every trial. Declared command noise and declared random forces are passed
-/// through the model by `kNoiseDraws` disturbed simulations a trial; random forces act through extra
-/// force actuators on a second compiled copy of the model. "For now": sizes are declared or measured
-/// channel by channel, not estimated together (METHOD step 1). Throws `Error` for patterns that match no
-/// joint.
+/// The noise floor of every trial. Declared command noise and declared random forces are passed through the model by
+/// `kNoiseDraws` disturbed simulations per trial; random forces act through additional force actuators in a second
+/// compiled copy of the model. The sizes are declared or measured channel by channel, not estimated together (METHOD
+/// step 1). Throws `Error` for patterns that match no joint.
 std::vector<TrialFloor> noise_floor(const NoiseFloorTask& task);
 
 inline constexpr int kNoiseDraws = 24;  ///< an RMS of independent draws is then good to about 15 %

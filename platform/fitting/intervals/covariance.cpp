@@ -13,15 +13,15 @@
 namespace lacuna {
 namespace {
 
-constexpr double kBlockCorrelations = 6.0;  ///< a block is so many correlation times long
-constexpr int kLeastBlocks = 12;            ///< fewer would say little about their own spread
+constexpr double kBlockCorrelations = 6.0;  ///< length of a block in correlation times
+constexpr int kLeastBlocks = 12;            ///< with fewer, their own spread would be poorly known
 constexpr int kMostBlocks = 40;
-constexpr double kRounding = 1e-10;  ///< eigenvalues below this share of the largest are differences' rounding
+constexpr double kRounding = 1e-10;  ///< eigenvalues below this share of the largest are rounding errors of differences
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTakesPart = 0.1;  ///< of a direction's largest component
 
-/// The blocks that scores are summed over: several correlation times long, but enough of them; and no more than
-/// give a fair estimate, since a slow disturbance below the sensor's noise hides from the correlation time.
+/// The blocks over which scores are summed: several correlation times long, but not too few; and no more than needed
+/// for a fair estimate, because the correlation time misses a slow disturbance below the sensor's noise.
 TimeBlocks choose_blocks(const ShootingProblem& problem, Eigen::Index values, Uncertainty& result) {
   const double duration = scored_duration(problem);
   const double longest = duration / std::max(kLeastBlocks, 3 * static_cast<int>(values));
@@ -46,8 +46,8 @@ double total_power(const std::vector<ReducedRows>& rows) {
   return sum;
 }
 
-/// What a relative change of 1 means: the value itself, or where it is small, the change that shows as much
-/// as the residual does.
+/// The change that a relative change of 1 means: the value itself, or for a small value the change that moves the
+/// prediction by as much as the residual.
 Eigen::VectorXd typical_sizes(const ParameterSpace& space, const FitPoint& point, const Eigen::MatrixXd& information,
                               double power) {
   Eigen::VectorXd sizes = Eigen::VectorXd::Ones(space.size());
@@ -69,8 +69,8 @@ void note_undetermined(const Eigen::VectorXd& direction, const std::vector<Eigen
   result.undetermined.push_back(std::move(full));
 }
 
-/// The inverse of the information in relative changes, without the directions that the data do not determine;
-/// these go to `result`.
+/// The inverse of the information in relative changes, without the directions that the data do not determine; these go
+/// to `result`.
 Eigen::MatrixXd determined_inverse(const Eigen::MatrixXd& relative, double variance,
                                    const std::vector<Eigen::Index>& free, Uncertainty& result) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(relative);
@@ -111,7 +111,7 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   if (free.empty()) return result;
   const Eigen::VectorXd scale = result.sizes(free);
   const Eigen::MatrixXd relative = scale.asDiagonal() * all(free, free) * scale.asDiagonal();
-  // What a sum of scores really varies by: their mean square × the samples that vary together.
+  // The actual variance of a sum of scores: their mean square × the number of samples that vary together.
   const double variance = total_power(rows) / memory.effective_samples;
   const Eigen::MatrixXd bread =
       scale.asDiagonal() * determined_inverse(relative, variance, free, result) * scale.asDiagonal();

@@ -38,8 +38,9 @@ std::string names_of(const std::vector<Part>& parts) {
 
 bool equal(double a, double b) { return std::abs(a - b) < kEqual * std::max(std::abs(a), std::abs(b)); }
 
-/// What the data still tell of two values. Two equal values that change against each other keep their sum and their
-/// product: in a unit, such as two frictions have, the sum is meant; two plain factors keep their product.
+/// The combination of two values that the data determine. Two equal values that change against each other keep both
+/// their sum and their product: with a unit, as for two frictions, the sum is meant; for two plain factors, the
+/// product.
 std::string what_remains_of_two(const Part& a, const Part& b) {
   if (equal(a.relative, b.relative)) return "only their ratio";
   const bool product = equal(a.relative, -b.relative);
@@ -48,7 +49,7 @@ std::string what_remains_of_two(const Part& a, const Part& b) {
   return product ? "only their product" : "only a combination of the two";
 }
 
-/// What the data still tell of a group that changes together.
+/// The combination of a group of values that the data determine.
 std::string what_remains(const std::vector<Part>& parts) {
   if (parts.size() == 2) return what_remains_of_two(parts[0], parts[1]);
   const bool together = std::all_of(parts.begin(), parts.end(),

@@ -26,7 +26,8 @@ double correlation_samples(std::span<const double> residuals) {
     const double correlation = autocorrelation(residuals, lag, power);
     if (correlation < kForgotten) break;
     const auto gap = static_cast<double>(lag - previous);
-    sum += 2.0 * (correlation + 0.5 * (gap - 1.0) * (before + correlation));  // lags between lie on a line
+    sum +=
+        2.0 * (correlation + 0.5 * (gap - 1.0) * (before + correlation));  // linear interpolation for the lags between
     before = correlation;
     previous = lag;
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFirstDamping = 1e-3;
 constexpr double kSmallestDamping = 1e-12;
 constexpr double kLargestDamping = 1e12;
-constexpr double kGoodEnough = 0.25;  ///< of the predicted decrease: derivatives may follow such a step
+constexpr double kGoodEnough = 0.25;  ///< of the predicted decrease: after such a step derivatives may be updated
 
 /// Normal equations of one segment's own unknowns.
 struct StateEquations {
@@ -58,7 +58,7 @@ NormalEquations assemble(const SegmentedProblem& problem, const std::vector<Eige
   return equations;
 }
 
-/// A direction along which nothing changes still gets a little damping, so that it stays where it is.
+/// A direction without influence gets a little damping, so that it stays.
 Eigen::MatrixXd damped(const Eigen::MatrixXd& hessian, double damping) {
   Eigen::MatrixXd result = hessian;
   const double least = std::max(1e-14 * (hessian.size() > 0 ? hessian.diagonal().maxCoeff() : 0.0), 1e-300);
@@ -84,8 +84,8 @@ Eigen::VectorXd solve_free(const Eigen::MatrixXd& matrix, const Eigen::VectorXd&
   return step;
 }
 
-/// The step of the shared values inside their bounds: a value that would leave them goes to its bound and no further,
-/// and the others go where they belong beside it.
+/// The step of the shared values inside their bounds: a value that would leave them goes to its bound, and the others
+/// to their optimum beside it.
 Eigen::VectorXd bounded_step(const SegmentedProblem& problem, const Eigen::VectorXd& at, const Eigen::MatrixXd& matrix,
                              const Eigen::VectorXd& gradient) {
   std::vector<bool> held(static_cast<std::size_t>(at.size()), false);
@@ -159,8 +159,8 @@ double total_cost(const SegmentedProblem& problem, const std::vector<Eigen::Vect
 
 namespace {
 
-/// Broyden's update: the derivatives of a segment, changed no more than it takes to agree with what a step did.
-/// Unknowns are measured by what they do to the residuals.
+/// Broyden's update: the smallest change of a segment's derivatives that agrees with the last step. Unknowns are scaled
+/// by their influence on the residuals.
 void follow(const Step& step, std::size_t k, const Eigen::VectorXd& change, SegmentJacobian& jacobian) {
   const Eigen::VectorXd& values = step.values;
   const Eigen::VectorXd& state = step.states[k];
@@ -190,7 +190,7 @@ class Descent {
       }
       const bool exact = follows_ == 0;
       const bool stepped = step();
-      if (!exact && (!stepped || result_.converged)) {  // derivatives that only follow say nothing about the end
+      if (!exact && (!stepped || result_.converged)) {  // updated derivatives cannot decide on convergence
         result_.converged = at_point_ = false;
         follows_ = 0;
       } else if (!stepped) {
@@ -209,16 +209,16 @@ class Descent {
     at_point_ = true;
   }
 
-  /// Goes to a better point, if there is one worth going to.
+  /// Moves to a better point, if one is worth it.
   bool step() {
     const NormalEquations equations = assemble(problem_, result_.residuals, result_.jacobians, options_.loss);
     while (damping_ < kLargestDamping) {
       const Step step = solve(problem_, equations, result_.point, damping_);
-      if (step.predicted < 0.0 && follows_ == 0) {  // bounds can turn a long step uphill, a short one follows the slope
+      if (step.predicted < 0.0 && follows_ == 0) {  // bounds can turn a long step uphill; a short one follows the slope
         damp_more();
         continue;
       }
-      // Nothing left to gain is the end, whatever the damping.
+      // With nothing left to gain the search ends, whatever the damping.
       if (!(step.predicted > 0.01 * options_.tolerance * result_.cost)) return false;
       const FitPoint next = moved(result_.point, step);
       const double cost = problem_.residuals(next, trial_residuals_)
@@ -262,8 +262,8 @@ class Descent {
   std::vector<Eigen::VectorXd> trial_residuals_;
   double damping_ = kFirstDamping, growth_ = 2.0;
   int small_steps_ = 0;
-  int follows_ = 0;        ///< steps that the derivatives have followed
-  bool at_point_ = false;  ///< they were taken where the search stands, or less than the tolerance before
+  int follows_ = 0;        ///< number of steps since the derivatives were computed
+  bool at_point_ = false;  ///< they were computed at this point, or within the tolerance of it
 };
 
 }  // namespace

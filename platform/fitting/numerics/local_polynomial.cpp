@@ -34,7 +34,7 @@ std::vector<Eigen::Index> nearby(const TimeSeries& series, Eigen::Index channel,
   }
 }
 
-constexpr int kOfOneStep = 4;  ///< readings that a line on one step of an encoder is worth
+constexpr int kOfOneStep = 4;  ///< number of readings to which a line on one step of an encoder is equivalent
 
 }  // namespace
 
@@ -74,7 +74,7 @@ LocalPolynomial fit_local_polynomial(const TimeSeries& series, Eigen::Index chan
   const Eigen::MatrixXd information = powers.transpose() * powers;
   const Eigen::MatrixXd covariance = information.completeOrthogonalDecomposition().pseudoInverse();
   result.value = coefficients(0);
-  // Where the motion is no parabola, the scatter about it says so.
+  // Where the motion is no parabola, the scatter about it shows this.
   if (size > terms)
     noise = std::max(noise, (powers * coefficients - values).norm() / std::sqrt(static_cast<double>(size - terms)));
   noise *= repetition(series, channel, {rows.front(), rows.back() + 1});

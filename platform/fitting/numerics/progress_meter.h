@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// Turns steps done into `Progress`: equal parts, each of an unknown number of iterations.
+/// Converts completed steps into `Progress`: equal parts, each with an unknown number of iterations.
 class ProgressMeter {
  public:
   explicit ProgressMeter(const ProgressCallback& callback) : callback_(callback), begin_(Clock::now()) {}
@@ -22,12 +22,13 @@ class ProgressMeter {
     report(0);
   }
   void end_part() { ++done_; }
-  /// An iteration of the part is over. How many there will be is not known: each takes a fifth of what is left.
+  /// Call after an iteration of the part. Their number is unknown: each takes a fifth of the remaining share.
   void report(int iteration) {
     if (!callback_) return;
     double left = 1.0;
     for (int i = 0; i < iteration; ++i) left *= 0.8;
-    fraction_ = std::clamp((done_ + 1.0 - left) / parts_, fraction_, 1.0);  // a search may begin anew: never back
+    fraction_ =
+        std::clamp((done_ + 1.0 - left) / parts_, fraction_, 1.0);  // a search may restart; progress never decreases
     const double left_seconds = seconds() * (1.0 - fraction_) / fraction_;
     callback_({what_, fraction_, fraction_ > 0.0 ? left_seconds : std::numeric_limits<double>::quiet_NaN()});
   }

@@ -14,7 +14,7 @@ struct RobustLoss {
     const double size = std::abs(r);
     return size <= threshold ? r * r : threshold * (2.0 * size - threshold);
   }
-  /// The weight under which a squared residual has the loss's gradient.
+  /// The weight with which a squared residual has the loss's gradient.
   double weight(double r) const {
     const double size = std::abs(r);
     return size <= threshold ? 1.0 : threshold / size;

@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// The coordinates of all values where those that are `free` fit best and the others stay where they are; as they were
-/// where the model cannot be simulated there. Start states are fitted with them, under the problem's scales.
+/// The coordinates of all values where the `free` ones fit best and the others stay; unchanged where the model cannot
+/// be simulated there. Initial states are fitted with them, with the problem's scales.
 Eigen::VectorXd fit_beside_held(ShootingProblem& problem, const Eigen::VectorXd& values,
                                 const std::vector<Eigen::Index>& free, const LeastSquaresOptions& options);
 

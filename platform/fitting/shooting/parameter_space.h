@@ -8,8 +8,8 @@
 
 namespace lacuna {
 
-/// Free values as the search moves in them: the logarithm of a value that is declared logarithmic and
-/// stays positive, the value itself otherwise; always within its bounds.
+/// Coordinates in which the search moves: the logarithm of a value that is declared logarithmic and stays positive, the
+/// value itself otherwise; always within its bounds.
 class ParameterSpace {
  public:
   explicit ParameterSpace(const std::vector<FreeValue>& free);

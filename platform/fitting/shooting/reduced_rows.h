@@ -6,8 +6,7 @@
 
 namespace lacuna {
 
-/// One segment's rows at the end of a fit: what the shared values alone explain, the start state's share projected
-/// off.
+/// One segment's rows at the end of a fit, after projecting off the part that the initial state explains.
 struct ReducedRows {
   Eigen::MatrixXd sensitivity;  ///< rows × values
   Eigen::VectorXd curvature;    ///< half the loss's second derivative, per row

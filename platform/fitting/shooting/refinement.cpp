@@ -9,10 +9,10 @@
 namespace lacuna {
 namespace {
 
-constexpr int kRounds = 3;           ///< of scales and search in turn
-constexpr double kSettled = 0.05;    ///< relative change of scales that ends them
-constexpr double kRough = 1.0;       ///< precision while the scales still move
-constexpr double kLoosest = 1e-4;    ///< relative decrease of the cost that never ends a search
+constexpr int kRounds = 3;           ///< alternations of scales and search
+constexpr double kSettled = 0.05;    ///< relative change of scales that ends the alternation
+constexpr double kRough = 1.0;       ///< precision while the scales still change
+constexpr double kLoosest = 1e-4;    ///< a smaller relative decrease of the cost always ends a search
 constexpr double kSameError = 1e-2;  ///< per sample: 0.5 % of the residual
 constexpr double kHopeless = 2.0;    ///< per sample: 2.7 times the residual
 
@@ -29,8 +29,8 @@ std::vector<double> noise_scales(const ShootingProblem& problem) {
 }
 
 /// The objective is that of a τ-scale (V. J. Yohai and R. H. Zamar, 1988): the logarithm of the robust scale plus a
-/// loss that no sample can push beyond the threshold. With a loss that grows without end a few wild
-/// readings would favour the candidate with the larger scale.
+/// loss that is bounded per sample. With an unbounded loss a few outliers would favour the candidate with the larger
+/// scale.
 void summarise(const ShootingProblem& problem, const RobustLoss& loss, Candidate& candidate) {
   double bounded = 0.0;
   double logarithms = 0.0, squares = 0.0;
@@ -48,8 +48,8 @@ void summarise(const ShootingProblem& problem, const RobustLoss& loss, Candidate
   candidate.residual = std::sqrt(squares / static_cast<double>(problem.samples()));
 }
 
-/// Searches in turn with the scales that the residuals of the search before tell. `searched`: the problem itself, or
-/// what is left of it.
+/// Alternates searches with scales from the residuals of the last search. `searched`: the problem, or a restriction of
+/// it.
 void search_with_scales(ShootingProblem& problem, SegmentedProblem& searched, FitPoint point,
                         const RefinementOptions& options, Candidate& candidate) {
   std::vector<Eigen::VectorXd> residuals;

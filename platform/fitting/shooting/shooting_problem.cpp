@@ -10,10 +10,10 @@
 namespace lacuna {
 namespace {
 
-/// A step shall change the prediction by about this share of the residual: far above the little jumps of a
-/// simulation with dry friction, whose sticking begins at whole steps, and below where curvature would show.
+/// A step should change the prediction by about this share of the residual: far above the small jumps of a simulation
+/// with dry friction, which sticks at whole steps, and below the range of curvature.
 constexpr double kWantedChange = 0.5;
-constexpr double kTolerated = 10.0;  ///< steps whose change is off by less than this factor stay
+constexpr double kTolerated = 10.0;  ///< steps whose change is wrong by less than this factor stay
 constexpr int kStepRounds = 4;
 
 double rms(double sum_of_squares, double count) { return count > 0.0 ? std::sqrt(sum_of_squares / count) : 0.0; }

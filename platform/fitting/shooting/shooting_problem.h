@@ -12,21 +12,21 @@
 
 namespace lacuna {
 
-/// A row of a segment's residuals: where it was measured.
+/// The place of a residual in the measurement.
 struct ResidualPlace {
   std::size_t trial = 0;
   double time = 0.0;        ///< s
   std::size_t channel = 0;  ///< index into the noise list
 };
 
-/// Residuals of all segments of a stage: measured minus predicted, over a scale a channel, then each
-/// start state's departure from its prior. Simulations run in parallel over segments and, for derivatives,
-/// over segments × columns; every result has its own place, so that the digits do not depend on threads.
+/// Residuals of all segments of a stage: measured minus predicted, over one scale per channel, then the deviation of
+/// each initial state from its prior. Simulations run in parallel over segments and, for derivatives, over segments ×
+/// columns; every result has its own place, so that the digits do not depend on threads.
 class ShootingProblem : public SegmentedProblem {
  public:
   ShootingProblem(const TrialPredictor& predictor, const ParameterSpace& space, std::vector<Segment> segments,
                   const std::vector<ChannelNoise>& noise);
-  /// The same problem, simulated at another predictor's desks; nothing is counted yet.
+  /// The same problem with another predictor's workers and zero counts.
   ShootingProblem(const ShootingProblem& other, const TrialPredictor& predictor);
 
   const TrialPredictor& predictor() const { return predictor_; }
@@ -39,7 +39,7 @@ class ShootingProblem : public SegmentedProblem {
   /// The same by central differences: twice the simulations, for covariance and identifiability.
   void linearize_finely(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                         std::vector<SegmentJacobian>& jacobians);
-  /// Derivatives by the states alone; there are no columns of shared values.
+  /// Derivatives by the initial states alone, without columns of shared values.
   void linearize_states(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                         std::vector<SegmentJacobian>& jacobians);
 
@@ -54,11 +54,11 @@ class ShootingProblem : public SegmentedProblem {
   void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
   const std::vector<ChannelNoise>& noise() const { return noise_; }
 
-  /// Difference steps, which follow the residual; another problem of the same model may begin with them.
+  /// Difference steps, which follow the residual; another problem of the same model may start with them.
   const std::vector<double>& steps() const { return steps_; }
   void set_steps(std::vector<double> steps) { steps_ = std::move(steps); }
 
-  /// Simulations that a derivative needs and that do not wait for each other.
+  /// Number of independent simulations for a derivative.
   std::size_t simulations_at_once() const { return columns_.size(); }
   /// Adds the counts of another problem, and its last reason.
   void count_in(const ShootingProblem& other);
@@ -73,7 +73,7 @@ class ShootingProblem : public SegmentedProblem {
     Eigen::Index index;  ///< a shared value, or after them an unknown of the segment's state
   };
 
-  /// What differences start from.
+  /// Base of the differences.
   struct Origin {
     const FitPoint& point;
     const std::vector<Eigen::VectorXd>& residuals;  ///< at that point
@@ -109,8 +109,8 @@ class ShootingProblem : public SegmentedProblem {
   std::string reason_;
 };
 
-/// A scale a channel, from residuals whitened by the problem's scales: 1.4826 × their median size, or under the squared
-/// loss their RMS; at least the channel's noise.
+/// One scale per channel, from residuals whitened by the problem's scales: 1.4826 × their median size, or with the
+/// squared loss their RMS; at least the channel's noise.
 std::vector<double> residual_scales(const ShootingProblem& problem, const std::vector<Eigen::VectorXd>& residuals,
                                     const RobustLoss& loss);
 

@@ -18,8 +18,8 @@ double rms_change(const std::vector<Eigen::VectorXd>& a, const std::vector<Eigen
   return root_mean_square(difference);
 }
 
-/// The smallest rung of a ladder from zero at which value `j` matters: it changes the prediction by as much
-/// as the residual, or by half of the most it can.
+/// The smallest size on a geometric ladder from zero at which value `j` matters: it changes the prediction by as much
+/// as the residual, or by half of its largest possible change.
 double size_that_matters(ShootingProblem& problem, const FreeValue& free, Eigen::Index j, const FitPoint& own,
                          const std::vector<Eigen::VectorXd>& residuals) {
   const double direction = free.upper > 0.0 ? 1.0 : -1.0;

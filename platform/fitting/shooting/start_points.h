@@ -8,11 +8,11 @@
 
 namespace lacuna {
 
-/// Where a fit starts from, in coordinates of the space: first the model's own values; then, if the model
-/// starts any of its values at zero, points with finite sizes there, because an effect may have no gradient at
-/// zero; then points drawn within the bounds. A value's size is not read off its bounds, which may be
-/// orders of magnitude away, but off the data: the change that moves the prediction by as much as the
-/// residual now is, or by half of the most it can. `count` points, at least one.
+/// Starting points of a fit, in coordinates of the space: first the model's values; then, if any of them is zero,
+/// points with finite sizes there, because an effect may have no gradient at zero; then random points within the
+/// bounds. A value's size does not follow from its bounds, which may be orders of magnitude away, but from the data:
+/// the change that moves the prediction by as much as the current residual, or by half of its largest possible change.
+/// `count` points, at least one.
 std::vector<Eigen::VectorXd> start_points(ShootingProblem& problem, const ParameterSpace& space,
                                           const std::vector<FreeValue>& free, int count, std::uint64_t seed);
 

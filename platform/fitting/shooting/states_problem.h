@@ -4,8 +4,7 @@
 
 namespace lacuna {
 
-/// A problem whose values are held where they are: of its unknowns the start states alone are left. `problem` must
-/// outlive it.
+/// A problem with held values: only the initial states are unknown. `problem` must outlive it.
 class StatesProblem : public SegmentedProblem {
  public:
   StatesProblem(ShootingProblem& problem, Eigen::VectorXd values) : problem_(problem), values_(std::move(values)) {}

@@ -6,13 +6,13 @@
 
 namespace lacuna {
 
-/// Every trial's scored time in equal blocks of about `length` s, at least one a trial; numbered over all trials.
+/// Every trial's scored time in equal blocks of about `length` s, at least one per trial; numbered over all trials.
 class TimeBlocks {
  public:
   TimeBlocks(const ShootingProblem& problem, double length);
 
   int count() const { return count_; }
-  /// The block that a row of segment `k` lies in; a prior belongs to the moment its state stands for.
+  /// The block of a row of segment `k`; a prior belongs to the time of its state.
   int of(std::size_t k, Eigen::Index row) const;
 
  private:

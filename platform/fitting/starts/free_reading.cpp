@@ -51,7 +51,7 @@ FreeReading::FreeReading(const RobotSpec& robot, const JointSpec& joint, const T
   zero_place_ = body->position + zero_turn_ * com_;
   if (place_) place_noise_ = deviations[static_cast<std::size_t>(*place_)];
   if (turn_) turn_noise_ = 2.0 * deviations[static_cast<std::size_t>(*turn_)];  // of an angle
-  if (!turn_ && !com_.isZero(0.0)) place_.reset();  // where the centre is depends on how the body is turned
+  if (!turn_ && !com_.isZero(0.0)) place_.reset();  // the position of the centre depends on the orientation of the body
 }
 
 bool FreeReading::tells(int coordinate) const { return coordinate < 3 ? place_.has_value() : turn_.has_value(); }

@@ -12,13 +12,13 @@
 
 namespace lacuna {
 
-/// A coordinate with its rate as data tell them, and their standard deviations.
+/// A coordinate with its rate estimated from data, and their standard deviations.
 struct CoordinateReading {
   double position = 0.0, velocity = 0.0;
   double position_deviation = 0.0, velocity_deviation = 0.0;
 };
 
-/// The measured channels that tell the coordinates of a free joint: where its body is and how it is turned.
+/// The measured channels that determine the coordinates of a free joint: position and orientation of its body.
 class FreeReading {
  public:
   /// Of the joint `joint` of the robot. `deviations`: of the measured channels.

@@ -12,12 +12,12 @@
 namespace lacuna {
 namespace {
 
-constexpr double kWeak = 30.0;  ///< the guess pulls with so many times its deviation: enough to keep the search regular
-constexpr double kShorter = 0.7;    ///< axes that the head refuses are shortened by this
-constexpr int kMostShorter = 30;    ///< so many times, which is 1/40 000
-constexpr double kAllowance = 2.0;  ///< squared error that one deviation may add, over what a linear model adds
+constexpr double kWeak = 30.0;    ///< width of the prior around the guess, in its deviations: keeps the search regular
+constexpr double kShorter = 0.7;  ///< factor by which an axis that the data contradict is shortened
+constexpr int kMostShorter = 30;  ///< times, together 1/40 000
+constexpr double kAllowance = 2.0;  ///< squared error that one deviation may add, over that of a linear model
 
-/// Residuals of one head as a function of the unknown components of its start; no shared values.
+/// Residuals of the first samples as a function of the unknown components of their initial state; no shared values.
 class HeadProblem : public SegmentedProblem {
  public:
   HeadProblem(const TrialPredictor& predictor, const StartStates& states, const Stretch& head,
@@ -122,7 +122,7 @@ class HeadProblem : public SegmentedProblem {
   TimeSeries::Samples difference_;
 };
 
-/// Directions in which a linear problem's solution is uncertain, each one standard deviation long, in columns.
+/// Directions of uncertainty of a linear problem's solution, each one standard deviation long, in columns.
 Eigen::MatrixXd principal_axes(const Eigen::MatrixXd& jacobian) {
   const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
   const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
@@ -132,8 +132,8 @@ Eigen::MatrixXd principal_axes(const Eigen::MatrixXd& jacobian) {
   return scale.asDiagonal() * eigen.eigenvectors() * lengths.asDiagonal();
 }
 
-/// Shortens an axis until the head bears a start at its end. Where a joint sticks, small velocities change nothing and
-/// the derivative knows no limit, yet larger ones break away and contradict the head.
+/// Shortens an axis until the data agree with a start at its end. Where a joint sticks, small velocities change nothing
+/// and the derivative shows no limit, but larger ones break away and contradict the data.
 Eigen::VectorXd believable(HeadProblem& problem, const FitPoint& best, double allowed, Eigen::VectorXd axis) {
   for (int k = 0; k < kMostShorter; ++k) {
     const Eigen::VectorXd& at = best.states[0];
@@ -182,7 +182,7 @@ StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& state
   estimate.start = problem.start_of(best.point.states[0]);
   std::vector<SegmentJacobian> jacobians;
   problem.linearize(best.point, best.residuals, jacobians);
-  // A model that does not follow even the head is less certain of the start.
+  // A model that does not follow even the first samples is less certain of its start.
   estimate.misfit = std::max(1.0, problem.misfit(best.residuals[0]));
   const Eigen::MatrixXd axes = estimate.misfit * principal_axes(jacobians[0].state);
   const double allowed = best.residuals[0].squaredNorm() + kAllowance * estimate.misfit * estimate.misfit;

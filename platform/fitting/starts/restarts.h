@@ -5,11 +5,11 @@
 
 namespace lacuna {
 
-/// How long a trial is predicted before the prediction starts anew from the readings, s; infinite: to its end.
+/// Length of a trial's prediction before it restarts from the readings, s; infinite: to its end.
 ///
-/// Torques that nothing corrects are integrated twice: where at least `kFewestDriven` joints of one chain are driven by
-/// recorded torques or forces and no controller closes the loop, an error of the model grows without bound, and a
-/// prediction of a whole recording says nothing of the model and takes long to compute.
+/// Torques without a controller are integrated twice: where recorded torques or forces drive at least `kFewestDriven`
+/// joints of one chain and no controller closes the loop, an error of the model grows without bound, and the prediction
+/// of a whole recording does not assess the model and takes long to compute.
 double restart_interval(const RobotSpec& robot, const Trial& trial);
 
 inline constexpr int kFewestDriven = 3;  ///< joints from the base to a body

@@ -6,7 +6,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFree = 100.0;  ///< a free state's prior is so many times wider than its guess is uncertain
+constexpr double kFree = 100.0;  ///< a free state's prior is wider by this factor than its guess is uncertain
 
 bool tells_from_data(const Trial& trial) {
   if (trial.initial.empty()) return true;

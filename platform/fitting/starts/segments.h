@@ -8,10 +8,10 @@
 
 namespace lacuna {
 
-/// A stretch whose prediction is compared with the data, and what is known of its start.
+/// A stretch whose prediction is compared with the data, and its initial state.
 struct Segment {
   Stretch stretch;
-  Eigen::Index run_in = 0;             ///< samples at the beginning that only fill what has a memory, and do not count
+  Eigen::Index run_in = 0;             ///< samples at the beginning that only fill memories and do not count
   std::optional<WarmUp> warm_up = {};  ///< simulated before the stretch
   StartState start;                    ///< guess; exact for the components that are not unknown
   std::vector<int> unknown;            ///< components of the start that are fitted
@@ -19,7 +19,7 @@ struct Segment {
   std::vector<Eigen::Index> rows,
       columns;  ///< the measured values that count: row in the stretch, channel of the trial
 
-  /// The first sample of the trial after the run-in. What forces do before is told by the start, which is unknown.
+  /// The first sample of the trial after the run-in. The unknown initial state contains the effect of earlier forces.
   Eigen::Index first_counted() const { return stretch.first + run_in; }
 };
 
@@ -29,13 +29,12 @@ double duration_of(const Segment& segment, const std::vector<Trial>& trials);
 /// Cuts a trial into equal stretches of about `length` s; not positive, or longer than the trial: one.
 std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length);
 
-/// Cuts the trials that are not held out into segments for a stage. A segment at a trial's start
-/// follows what the trial knows: exact; `from_data`, its state estimated on the head with `values`, which is
-/// then not scored; or free. Inner segments are free. Segments that hold no more measured values than
-/// unknowns tell nothing and are left out, as are heads that cannot be simulated. Inner segments are simulated from
-/// `run_in` s earlier, so that delays, lags and other memories, which no reading tells, are filled where they begin to
-/// count. At a trial's start, where what was before is unknown, the head is not scored, and of a model that has such
-/// memories not the first `kLongestMemory` s.
+/// Cuts the fit trials into segments for a stage. A segment at a trial's start follows the trial: exact; `from_data`,
+/// its state estimated on its first samples with `values`, which are then not scored; or free. Inner segments are free.
+/// Segments with no more measured values than unknowns carry no information and are left out, as are those whose start
+/// cannot be simulated. Inner segments are simulated from `run_in` s earlier, so that delays, lags and other memories,
+/// which no reading shows, are filled where the segment begins to count. At a trial's start, where earlier commands are
+/// unknown, the first samples are not scored; with such memories the model's first `kLongestMemory` s are not scored.
 std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartStates& states, double length,
                                    const std::vector<double>& values, double run_in = 0.0);
 

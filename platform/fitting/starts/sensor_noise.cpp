@@ -21,7 +21,7 @@ struct Figure {
   bool is_guess = false;
 };
 
-/// Root mean square of what the columns of the trials declare.
+/// RMS of the noise that the columns of the trials declare.
 std::optional<Figure> declared_by_columns(const std::vector<Trial>& trials, const std::string& name) {
   double squares = 0.0;
   int count = 0;
@@ -92,8 +92,8 @@ const SensorSpec* touch_sensor(const RobotSpec& robot, const std::string& channe
   return nullptr;
 }
 
-/// A touch reads one of two values, and is exactly right but for when it changes, which is known to a sample: beside
-/// each change one reading is as likely wrong as right. A foot that never changes might have done so once.
+/// A touch has two readings and is exactly right except at changes, whose time is known to a sample: beside each change
+/// one reading is as likely wrong as right. For a foot that never changes, one change is assumed.
 Figure from_switches(const std::vector<Trial>& trials, const SensorSpec& sensor) {
   double switches = 0.0, samples = 0.0;
   for (const Trial& trial : trials)

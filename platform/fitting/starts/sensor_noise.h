@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// The noise of a sensor channel, pooled over trials, and where that figure comes from.
+/// The noise of a sensor channel, pooled over trials, and the source of this figure.
 struct ChannelNoise {
   std::string channel;
   std::string unit;
@@ -17,11 +17,11 @@ struct ChannelNoise {
   bool is_guess = false;   ///< nothing declares it, and the channel neither rests nor shows its step
 };
 
-/// Sensor noise of every channel that `trials` measure, in the order of the first trial that has it.
-/// In order of trust: what the columns declare; what the robot's sensor declares (noise and quantiser
-/// step/√12); of a touch sensor, one uncertain reading beside each change; noise while the rig rests; the
-/// high-frequency part of the recording (second differences), which takes fast motion for noise. Where nothing varies
-/// at all, the resolution of a double.
+/// Sensor noise of every channel that `trials` measure, in the order of the first trial that has it. Sources, the most
+/// reliable first: the declaration of the columns; the declaration of the robot's sensor (noise and quantiser
+/// step/√12); for a touch sensor, one uncertain reading beside each change; noise while the rig rests; the
+/// high-frequency part of the recording (second differences), which includes fast motion. Where nothing varies at all,
+/// the resolution of a double.
 std::vector<ChannelNoise> sensor_noise(const RobotSpec& robot, const std::vector<Trial>& trials);
 
 }  // namespace lacuna

@@ -40,7 +40,7 @@ std::size_t depth_of(const RobotSpec& robot, const JointSpec& joint) {
   return above == robot.joints.end() ? 0 : 1 + depth_of(robot, *above);
 }
 
-/// What a robot's state holds besides its joint coordinates and what was commanded.
+/// A robot's state besides its joint coordinates and the commands.
 std::string hidden_state(const RobotSpec& robot, const StateLayout& layout) {
   if (has_floating_body(robot)) return "the robot has a floating body";
   const auto holds = [&](const char* name) {
@@ -241,7 +241,7 @@ void StartStates::read_coordinate(const Stretch& stretch, Eigen::Index sample, i
     set_component(estimate.start, index, value);
     estimate.deviation(index) = deviation;
   };
-  // Of a link's angle the joints before it have their share, with their uncertainty.
+  // The joints before a link are part of its angle, and so is their uncertainty.
   const auto without_others = [&](const Reading& reading, bool rate, double value, double& deviation) {
     for (const auto& [other, sign] : reading.others) {
       const int index = rate ? coordinates_ + other : other;

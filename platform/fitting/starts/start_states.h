@@ -13,18 +13,19 @@
 
 namespace lacuna {
 
-inline constexpr double kHead = 0.05;  ///< s of measurement that tell a start state
+inline constexpr double kHead = 0.05;  ///< s of measurement from which an initial state is estimated
 
-/// A start state with the uncertainty of each component. Components are counted positions first, then
-/// velocities: coordinate c's velocity is component n + c.
+/// An initial state with the uncertainty of each component. Components are positions first, then velocities: coordinate
+/// c's velocity is component n + c.
 struct StartEstimate {
   bool valid = false;
   StartState start;
-  Eigen::VectorXd deviation;  ///< standard deviations, 2 n; 0: exact; infinite where the data say nothing
-  /// What may be wrong with the start, a column a direction: independent of each other, each one standard deviation
-  /// long, together the covariance of the components that data tell.
+  Eigen::VectorXd deviation;  ///< standard deviations, 2 n; 0: exact; infinite: not measured
+  /// Possible errors of the start, one direction per column: independent, each one standard deviation long, together
+  /// the covariance of the measured components.
   Eigen::MatrixXd axes;
-  double misfit = 1.0;  ///< RMS of the head's residuals over their noise, at least 1; part of the deviations
+  double misfit =
+      1.0;  ///< RMS of the residuals of the first samples over their noise, at least 1; part of the deviations
 
   /// Whether component `index` was estimated from data, rather than given or not measured.
   bool tells(int index) const { return deviation(index) > 0.0 && std::isfinite(deviation(index)); }
@@ -35,23 +36,23 @@ struct StartEstimate {
   }
 };
 
-/// The start `times` standard deviations off along one of its axes.
+/// The start, moved by `times` standard deviations along one of its axes.
 StartState moved_along(const StartEstimate& estimate, Eigen::Index axis, double times = 1.0);
 
-/// Whether a body hangs on no joint, not even a free one.
+/// Whether a body has no joint, not even a free one.
 bool has_floating_body(const RobotSpec& robot);
 
 double component(const StartState& start, int index);
 void set_component(StartState& start, int index, double value);
 
-/// Which measured channels tell the joint coordinates of a model, and what they say at a sample.
-/// Const and shared by threads.
+/// Which measured channels determine the joint coordinates of a model, and their values at a sample. Const and shared
+/// by threads.
 class StartStates {
  public:
   /// `noise`: deviations of the measured channels (see sensor_noise).
   StartStates(const RobotSpec& robot, const TrialPredictor& predictor, const std::vector<ChannelNoise>& noise);
 
-  /// A channel that reads a coordinate: reading = scale · value + offset.
+  /// A channel that measures a coordinate: reading = scale · value + offset.
   struct Reading {
     Eigen::Index channel = -1;
     double scale = 1.0;
@@ -60,39 +61,39 @@ class StartStates {
   };
 
   int coordinates() const { return coordinates_; }
-  /// What tells a coordinate of a trial, if anything does.
+  /// The channels that determine a coordinate of a trial, if any.
   const std::optional<Reading>& position_reading(std::size_t trial, int coordinate) const {
     return readings_[trial].positions[static_cast<std::size_t>(coordinate)];
   }
   const std::optional<Reading>& velocity_reading(std::size_t trial, int coordinate) const {
     return readings_[trial].velocities[static_cast<std::size_t>(coordinate)];
   }
-  /// Coordinates in an order in which those of a link's angle come before the link's own.
+  /// Coordinates in an order in which those contained in a link's angle come before the link's own.
   const std::vector<int>& outward() const { return outward_; }
-  /// Coordinates that follow others start where the engine puts them: that is known, and no unknown of its own.
+  /// Coordinates coupled to others start where the engine puts them: they are known, not separate unknowns.
   void follow(StartEstimate& estimate) const;
-  /// Why not every moment of this trial can be a start: a coordinate whose position is not measured, a body that
-  /// floats, or a memory that no reading tells (delayed readings, states of effects, a PID's integral, a compliant
-  /// transmission's rotor), which a simulation from the middle would begin empty. Nothing where every moment can.
+  /// Why not every sample of this trial can be a start: a coordinate whose position is not measured, a floating body,
+  /// or a memory that no reading shows (delayed readings, states of effects, a PID's integral, a compliant
+  /// transmission's rotor), which would be empty in a simulation from the middle. Nothing where every sample can.
   std::string obstacle(std::size_t trial) const;
   bool reconstructible(std::size_t trial) const { return obstacle(trial).empty(); }
-  /// How long a trial is predicted before the prediction starts anew, s (restarts.h).
+  /// Length of a trial's prediction before it restarts, s (restarts.h).
   double restart(std::size_t trial) const { return restarts_[trial]; }
   /// Names of the coordinates whose position the trial does not measure.
   std::vector<std::string> unmeasured(std::size_t trial) const;
   /// The standard deviation of a measured channel of a trial.
   double deviation(std::size_t trial, Eigen::Index channel) const;
 
-  /// Positions and velocities at a sample of the stretch from low polynomials through the samples near it,
-  /// none outside the stretch; deviations are those of the polynomials. What is not measured is zero,
-  /// or, at a trial's first sample, as the trial states it, with an infinite deviation.
+  /// Positions and velocities at a sample of the stretch from low-order polynomials through the samples near it, none
+  /// outside the stretch; deviations are those of the polynomials. A coordinate that is not measured is zero, or, at a
+  /// trial's first sample, as the trial states it, with an infinite deviation.
   StartEstimate from_samples(const Stretch& stretch, Eigen::Index sample) const;
 
   /// Whether the trial states this coordinate exactly, which counts for its first sample.
   static bool given(const Trial& trial, int coordinate);
 
  private:
-  /// A coordinate that follows another.
+  /// A coordinate coupled to another one.
   struct Follower {
     int coordinate = 0, leader = 0;
     double ratio = 1.0, offset = 0.0;
@@ -107,16 +108,17 @@ class StartStates {
   void order_outward(const RobotSpec& robot);
   bool follows(int coordinate) const;
   bool told_by_body(std::size_t trial, int coordinate) const;
-  /// Writes what the channels say about coordinate `c`.
+  /// Writes the estimate of coordinate `c` from the channels.
   void read_coordinate(const Stretch& stretch, Eigen::Index sample, int c, StartEstimate& estimate) const;
   /// Of all coordinates of free joints that are not given.
   void read_free_joints(const Stretch& stretch, Eigen::Index sample, StartEstimate& estimate) const;
 
   const std::vector<Trial>& trials_;
   int coordinates_ = 0;
-  std::vector<int> outward_;  ///< coordinates in an order in which those of a link's angle come before the link's own
+  std::vector<int>
+      outward_;  ///< coordinates in an order in which those contained in a link's angle come before the link's own
   std::vector<Follower> followers_;
-  std::string hidden_;  ///< what of the model no measurement tells; empty: nothing
+  std::string hidden_;  ///< the part of the model's state that no measurement shows; empty: none
   std::vector<std::string> names_;
   std::vector<TrialReadings> readings_;
   std::vector<double> restarts_;  ///< s

@@ -140,7 +140,7 @@ class NumberPaths {
     return count;
   }
 
-  /// Index of the first list of this many names in an object around; 0: there is none.
+  /// Index of the first name in a list of this many names in an object around; 0: there is none.
   std::size_t names_for(const Nodes& nodes, std::size_t count) const {
     for (std::size_t i = names_.size(); i-- > 0;)
       if (count > 0 && nodes[names_[i]].end - names_[i] - 1 == count) return names_[i] + 1;
