@@ -13,8 +13,8 @@
 #include <span>
 #include <string_view>
 
-/// Libraries call `malloc` by the addresses that the loader has written into their tables. Those of all libraries are
-/// replaced, so that nothing is counted, and nothing costs time, where this was not asked for.
+/// Libraries call `malloc` through addresses that the loader has written into their tables. These entries are replaced
+/// in all libraries, so that counting costs nothing where it was not requested.
 namespace lacuna {
 namespace {
 
@@ -79,7 +79,7 @@ void write_address(void** slot, void* address) {
   if (mprotect(begin, page, PROT_READ | PROT_WRITE) == 0) *slot = address;
 }
 
-/// What the loader did for one library.
+/// The tables of one library.
 struct Relocations {
   const char* names = nullptr;
   const Elf64_Sym* symbols = nullptr;
@@ -121,7 +121,7 @@ void replace_in(const Relocations& relocations, Elf64_Addr base) {
     }
 }
 
-/// Neither the program nor the C library, whose own calls are none of a plugin's, nor the loader.
+/// Leaves out the program, the C library, whose own calls are not a plugin's, and the loader.
 bool is_counted(std::string_view file) {
   const std::string_view name = file.substr(file.rfind('/') + 1);
   return !name.empty() && !name.starts_with("libc.so") && !name.starts_with("ld-linux") &&

@@ -2,11 +2,11 @@
 
 namespace lacuna {
 
-/// From now on what shared libraries allocate is counted, the program's own code apart. It changes the process for
-/// good: only for one that tries plugins and then ends.
+/// Starts counting the allocations of shared libraries, without the program's own. This changes the process for good:
+/// use it only in a process that tries plugins and then ends.
 void count_allocations();
 
-/// By this thread since then.
+/// Of this thread since then.
 long allocations_of_this_thread();
 
 }  // namespace lacuna

@@ -46,7 +46,7 @@ bool write_all(int pipe_end, const char* bytes, std::size_t count) {
   return true;
 }
 
-/// An answer travels as its length and its bytes.
+/// An answer is sent as its length and its bytes.
 bool send(int pipe_end, const std::string& answer) {
   const auto size = static_cast<std::uint32_t>(answer.size());
   return write_all(pipe_end, reinterpret_cast<const char*>(&size), sizeof(size)) &&
@@ -56,13 +56,13 @@ bool send(int pipe_end, const std::string& answer) {
 [[noreturn]] void serve(int pipe_end, std::size_t first, std::size_t count,
                         const std::function<std::string(std::size_t)>& work, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // it ended before that
+  if (getppid() != parent) _exit(1);  // the child ended before that
   become_silent();
   for (std::size_t index = first; index < count; ++index) {
     std::string answer;
     try {
       answer = work(index);
-    } catch (...) {  // an exception is not a death; the host meets it again and says what it was
+    } catch (...) {  // an exception does not end the child; the host meets it again and reports it
     }
     if (!send(pipe_end, answer)) _exit(1);
   }
@@ -71,14 +71,14 @@ bool send(int pipe_end, const std::string& answer) {
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 
-/// The child that does the work, as the parent sees it. It is ended when it lets the parent wait, whatever it does: a
-/// process can take an alarm back, and one that has stopped hears none.
+/// The child that does the work, as seen by the parent. The parent ends it when it has to wait too long: a process can
+/// disable an alarm, and a stopped process receives none.
 class WorkingChild {
  public:
   WorkingChild(pid_t process, int pipe_end, std::chrono::seconds limit)
       : process_(process), pipe_(pipe_end), limit_(limit) {}
 
-  /// False: it has ended before its answer was complete, or was ended.
+  /// False: it ended, or was ended, before its answer was complete.
   bool receive(std::string& answer) {
     patience_ = limit_;
     std::uint32_t size = 0;
@@ -87,14 +87,14 @@ class WorkingChild {
     return read_all(answer.data(), size);
   }
 
-  /// What ended it, to be asked once, when no answer comes any more.
+  /// How it ended; call this once, when no answer comes any more.
   std::string cause_of_death() {
     wait_for_end();
     if (!cause_.empty()) return cause_;
     return ChildEnding{*status_}.deed();
   }
 
-  /// After its last answer there is nothing left that it could do.
+  /// After its last answer its end no longer matters.
   void end() {
     kill(process_, SIGKILL);
     wait_for_end();
@@ -113,7 +113,7 @@ class WorkingChild {
     return true;
   }
 
-  /// A process that the child began may hold the pipe open after the child's end. Time in which this process was
+  /// A process that the child started may hold the pipe open after the child's end. Time in which this process was
   /// stopped does not count.
   bool wait_for_bytes() {
     for (;;) {

@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// Calls `visit(std::type_identity<Interface>())` for every kind of component there is.
+/// Calls `visit(std::type_identity<Interface>())` for every kind of component.
 template <class Visitor>
 void for_each_component_kind(Visitor&& visit) {
   visit(std::type_identity<PhysicalEffect>());
@@ -25,7 +25,7 @@ void for_each_component_kind(Visitor&& visit) {
   visit(std::type_identity<ObjectiveMetric>());
 }
 
-/// The same for the one kind that a plugin's table calls `kind`; none: nothing happens.
+/// The same for the kind with this name in a plugin's table; nothing happens where there is none.
 template <class Visitor>
 void for_component_kind(std::string_view kind, Visitor&& visit) {
   for_each_component_kind([&]<class Interface>(std::type_identity<Interface> type) {

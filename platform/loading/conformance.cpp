@@ -42,7 +42,7 @@ std::string bounds_problem(const ParameterDeclaration& parameter) {
   return {};
 }
 
-/// Of an effect's parameter, on the first placement where its unit is none.
+/// For an effect's parameter: the problem on the first placement where its unit is invalid.
 std::string unit_problem(const ParameterDeclaration& parameter, const std::vector<ElementKind>& placements) {
   for (const ElementKind kind : placements) {
     if (is_unit_on(kind, parameter.unit)) continue;

@@ -9,14 +9,14 @@
 
 namespace lacuna {
 
-/// What is wrong with the parameters that a component declares: names, units, bounds, defaults. Empty: nothing; else
-/// the first fault and what to do about it.
+/// The first fault in the declared parameters of a component (names, units, bounds, defaults) and what to do about it.
+/// Empty: none.
 std::string declaration_problem(const ParameterDeclarations& parameters);
 
-/// The same for the endings of files that a format reads; `taken` is what the host reads itself.
+/// The same for the endings of files that a format reads; `taken` is the host's own ending.
 std::string endings_problem(const std::vector<std::string>& endings, std::string_view taken);
 
-/// The same for what an effect says of itself: its parameters with units that may depend on the placement, its
+/// The same for the description of an effect: its parameters with units that may depend on the placement, its
 /// placements and neutral values, and the stages of the hooks that it overrides.
 std::string effect_problem(const EffectDescription& description, const EffectStages& stages,
                            const OverriddenHooks& overridden);

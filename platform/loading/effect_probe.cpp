@@ -12,7 +12,8 @@ namespace lacuna {
 namespace {
 
 std::string reading_problem(const EffectTrial& trial, const EffectCourse& first, std::size_t parameters) {
-  if (first_difference(first, trial.go({})) != nullptr) return {};  // not the same twice: nothing follows from it
+  if (first_difference(first, trial.go({})) != nullptr)
+    return {};  // different results for the same calls prove nothing
   constexpr double kOtherGuard = -1906.5;
   const char* const call = first_difference(first, trial.go({.guard = kOtherGuard}));
   return call == nullptr
@@ -21,9 +22,9 @@ std::string reading_problem(const EffectTrial& trial, const EffectCourse& first,
                            call, parameters);
 }
 
-/// Where others have added loads, the sum is another one, unless it was overwritten.
+/// With loads of others the sum must differ, unless it was overwritten.
 std::string overwriting_problem(const EffectTrial& trial, const EffectCourse& alone) {
-  constexpr double kLarge = 1e9;  // in which what others have added may vanish
+  constexpr double kLarge = 1e9;  // so large that other loads may vanish in rounding
   const EffectCourse beside = trial.go({.has_others = true});
   const std::vector<double> others = summands_of_others();
   if (beside.threw() || beside.summands.size() != alone.summands.size()) return {};

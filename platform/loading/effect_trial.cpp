@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep = 1e-3;          // s
 constexpr int kLargestState = 1 << 20;  // doubles; the host refuses far larger ones
 
-/// Numbers with others before and behind them, which a sound effect neither reads nor writes.
+/// Numbers with guard values around them, which a valid effect neither reads nor writes.
 template <class Number>
 class Guarded {
  public:
@@ -37,7 +37,7 @@ class Guarded {
   std::vector<Number> all_;
 };
 
-/// The robot in motion: elsewhere in each step, and now and then the other way.
+/// The robot in motion: another state in each step, sometimes moving backwards.
 struct Moment {
   std::array<double, 2> positions{0.3, -0.2}, velocities{0.7, -1.1}, forces{0.4, 0.1};
   std::array<int, 2> coordinates{0, 1};
@@ -63,7 +63,7 @@ struct Moment {
   }
 };
 
-/// What acts on the robot, in memory of its own.
+/// The loads on the robot, in separate memory.
 struct Loads {
   std::array<JointLoad, 2> joints;
   std::array<BodyLoad, 2> bodies;
@@ -86,7 +86,7 @@ struct Loads {
   }
 };
 
-/// As other effects leave them.
+/// As left by other effects.
 Loads loads_of_others() {
   Loads loads;
   for (JointLoad& load : loads.joints) load = {7.3, -5.1, 4.3, 3.3, 2.9};
@@ -94,7 +94,7 @@ Loads loads_of_others() {
   return loads;
 }
 
-/// A placed effect, the memory that its hooks work on, and the calls of one step in their order.
+/// A placed effect, the memory of its hooks, and the calls of one step in their order.
 class Placed {
  public:
   Placed(const PhysicalEffect& effect, ElementKind kind, const std::vector<int>& elements,
@@ -102,7 +102,7 @@ class Placed {
       : effect_(effect), kind_(kind), parameters_(values, guard), elements_(elements, 0), state_({}, kBesideState) {}
 
   EffectContext context() { return {parameters_.numbers(), elements_.numbers(), kind_, kStep}; }
-  /// False: it wants more than the host gives.
+  /// False: it needs more than the host gives.
   bool make_state(int size) {
     if (size < 0 || size > kLargestState) return false;
     state_ = Guarded<double>(std::vector<double>(static_cast<std::size_t>(size), 0.0), kBesideState);
@@ -118,7 +118,7 @@ class Placed {
   double commanded = 0.0;
   std::array<double, 1> channels{};
 
-  /// `visit(name of the hook, a function that calls it)` for each that there is in a step.
+  /// `visit(name of the hook, a function that calls it)` for each hook of a step.
   template <class Visit>
   void each_hook(Visit&& visit) {
     const OverriddenHooks& hooks = effect_.overridden();
@@ -152,7 +152,7 @@ class Placed {
   Guarded<double> state_;
 };
 
-/// How much the call allocated.
+/// Number of allocations of the call.
 template <class Call>
 long call(const EffectConditions& conditions, const char* what, Call&& hook) {
   long allocated = 0;
@@ -177,7 +177,7 @@ std::vector<double> results_of(std::string_view hook, Placed& placed) {
   return all;
 }
 
-/// Where allocations count, a hook is called twice: the second time it has what it needs.
+/// Where allocations are counted, a hook is called twice, because it may allocate once for later calls.
 void take_step(const EffectConditions& conditions, Placed& placed, EffectCourse& course) {
   placed.each_hook([&](const char* hook, const auto& function) {
     call(conditions, hook, function);
@@ -208,7 +208,7 @@ void call_hooks(const PhysicalEffect& effect, const EffectConditions& conditions
 
 constexpr int kCallsAtOnce = 200, kBatches = 31;
 
-/// Of calls in a row, so that the clock's own time does not count.
+/// Number of calls in a row, so that the clock's own time does not matter.
 template <class Call>
 HookCost cost_of(const char* name, const Call& call) {
   using Clock = std::chrono::steady_clock;
@@ -319,7 +319,7 @@ std::vector<HookCost> EffectTrial::costs() const {
   return costs;
 }
 
-/// The first call that gave something else; null: none.
+/// The first call with a different result; null: none.
 const char* first_difference(const EffectCourse& a, const EffectCourse& b) {
   for (std::size_t i = 0; i < std::min(a.results.size(), b.results.size()); ++i) {
     const std::vector<double>& ours = a.results[i].second;

@@ -11,8 +11,8 @@
 
 namespace lacuna {
 
-/// Two bodies on hinges, one on the other, each with a motor and an encoder, above the ground: what effects are tried
-/// on.
+/// Two bodies on hinges, one attached to the other, each with a motor and an encoder, above the ground: the robot on
+/// which effects are tried.
 RobotSpec two_links();
 
 /// Every number of a robot that an effect may amend.
@@ -21,43 +21,43 @@ std::vector<double> numbers_of(const RobotSpec& robot);
 /// A value that is not the neutral one, within bounds.
 double value_to_try(const ParameterDeclaration& parameter);
 
-/// What one go through the hooks of an effect gave.
+/// The results of one run through the hooks of an effect.
 struct EffectCourse {
   std::vector<std::pair<const char*, std::vector<double>>> results;  ///< by call
   std::vector<double> summands;                                      ///< of the loads in the last step
   bool replaced_loads = false;
   bool kept_to_state = true;
   std::exception_ptr thrown = nullptr;                    ///< by a hook; null: nothing
-  std::vector<std::pair<const char*, long>> allocations;  ///< by call, none left out that is called in a step
+  std::vector<std::pair<const char*, long>> allocations;  ///< by call, for all calls of a step
 
   bool threw() const { return thrown != nullptr; }
 };
 
-/// How a go differs from another.
+/// Settings by which runs differ.
 struct EffectConditions {
-  double guard = 0.37;             ///< what lies in memory beside the parameters
+  double guard = 0.37;             ///< content of the memory beside the parameters
   bool has_others = false;         ///< whether other effects have added loads before
-  bool looks_at_process = false;   ///< whether what a call changes of the process is thrown as `ProcessChanged`
+  bool looks_at_process = false;   ///< whether a change of the process by a call is thrown as `ProcessChanged`
   int steps = 1;                   ///< of 1 ms, in each of which the robot is elsewhere
-  bool counts_allocations = true;  ///< which takes each hook twice in a step
+  bool counts_allocations = true;  ///< call each hook of a step twice
 };
 
-/// What a hook that is called in a step costs, a call.
+/// The cost per call of a hook that is called in a step.
 struct HookCost {
   const char* call;
   long allocations = 0;
   double seconds = 0.0;  ///< median
 };
 
-/// An effect on elements of the robot of two links, at the values given. It calls its hooks as the simulation does,
-/// and holds numbers of its own around theirs.
+/// An effect on elements of the robot of two links, with the given values. Calls its hooks like the simulation, with
+/// guard values around their memory.
 class EffectTrial {
  public:
   EffectTrial(const PhysicalEffect& effect, const EffectDescription& description, ElementKind kind,
               std::vector<int> elements, std::vector<double> values);
 
   EffectCourse go(const EffectConditions& conditions) const;
-  /// Of the hooks that it has for a step there. Throws what they throw.
+  /// Cost of its hooks of a step. Throws what they throw.
   std::vector<HookCost> costs() const;
   std::size_t parameters() const { return values_.size(); }
 
@@ -71,10 +71,10 @@ class EffectTrial {
 
 inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
-/// The first call that gave something else; null: none.
+/// The first call with a different result; null: none.
 const char* first_difference(const EffectCourse& a, const EffectCourse& b);
 
-/// What other effects have added where a go says so, as `EffectCourse::summands`.
+/// The loads of other effects in a run with them, as `EffectCourse::summands`.
 std::vector<double> summands_of_others();
 
 }  // namespace lacuna

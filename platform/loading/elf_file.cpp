@@ -32,7 +32,7 @@ std::string too_short(std::uint64_t size, std::uint64_t needed) {
          " bytes; copy it or build it again";
 }
 
-/// The offset just behind the last byte that the headers speak of; 0 where they contradict themselves.
+/// The offset after the last byte to which the headers refer; 0 where they contradict themselves.
 std::uint64_t end_of_content(std::ifstream& stream, const Elf64_Ehdr& header, std::uint64_t size) {
   const std::uint64_t segments_end = header.e_phoff + std::uint64_t{header.e_phnum} * sizeof(Elf64_Phdr);
   const std::uint64_t sections_end = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
@@ -47,7 +47,7 @@ std::uint64_t end_of_content(std::ifstream& stream, const Elf64_Ehdr& header, st
   return end;
 }
 
-/// Opening a named pipe waits for its writer, and opening a device may do anything.
+/// Opening a named pipe would wait for its writer, and opening a device may have side effects.
 std::string kind_problem(const std::filesystem::path& file) {
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(file, failure);

@@ -17,7 +17,7 @@
 
 namespace lacuna {
 
-/// A component of a file, made when it is first asked for.
+/// A component of a file, made at first use.
 struct PluginCatalog::Entry {
   std::string kind;
   ComponentOrigin origin;
@@ -25,8 +25,8 @@ struct PluginCatalog::Entry {
   std::string build_id;
   void* (*create)() = nullptr;
   std::string duplicate_of;  // the sentence, if another file has the same component
-  std::string refusal;       // the sentence, if it is unfit for use
-  std::string remark;        // a sentence about what it should not do
+  std::string refusal;       // the sentence, if it cannot be used
+  std::string remark;        // a sentence about a fault that does not change results
   std::mutex making;
   void* made = nullptr;
 
@@ -49,7 +49,7 @@ std::vector<std::filesystem::path> plugin_files(const std::filesystem::path& fol
   return files;
 }
 
-/// The files of all folders, each once however many spellings or links lead to it.
+/// The files of all folders, each once, whatever spelling or link leads to it.
 std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::filesystem::path>& folders) {
   std::vector<std::filesystem::path> files;
   std::set<std::pair<dev_t, ino_t>> seen;
@@ -62,10 +62,10 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
   return files;
 }
 
-constexpr std::size_t kMostProblems = 3;  ///< of other plugins, told beside one that is missing
+constexpr std::size_t kMostProblems = 3;  ///< of other plugins; printed when a component is missing
 constexpr const char* kRepair = "; that is a fault of the plugin: repair it or remove it from the plugin folder";
 
-/// What a component says of itself that cannot be, and what its hooks do.
+/// Faults in a component's description, and in the behaviour of its hooks.
 template <class Interface>
 EffectFindings findings_about(const Interface& component, const ComponentOrigin& origin) {
   if constexpr (std::is_same_v<Interface, PhysicalEffect>) {
@@ -119,7 +119,8 @@ std::string remark_of(const ComponentOrigin& origin, const ChildAnswer& rehearsa
   return remark.empty() ? std::string() : to_string(origin) + ": " + remark;
 }
 
-/// While it lives, the command can begin anew without what ends the process: it has only looked at its plugins.
+/// While it exists, the command may restart without a component that ends the process: it has only examined its
+/// plugins.
 class NothingDoneYet {
  public:
   NothingDoneYet() { CallPage::allow_new_beginning(true); }
@@ -163,7 +164,7 @@ PluginCatalog::PluginCatalog(const std::vector<std::filesystem::path>& folders) 
   });
   find_duplicates();
   refuse_unfit();
-  CallPage::watch_exits();  // before the ends of the plugins, which are registered by now
+  CallPage::watch_exits();  // before the destructors of the plugins, which are registered by now
 }
 
 void PluginCatalog::add(const PluginLibrary& library) {
@@ -215,7 +216,7 @@ void PluginCatalog::refuse_unfit() {
   }
 }
 
-/// All components of a library that ended a process outside of their calls.
+/// All components of a library that ended a process outside their calls.
 void PluginCatalog::refuse_library(const std::string& file, const std::string& death) {
   for (const auto& entry : entries_)
     if (entry->origin.file == file)

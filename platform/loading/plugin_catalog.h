@@ -22,49 +22,48 @@ struct PluginListing {
   std::string sha256;
   std::string build_id;
   std::string problem;  ///< why it cannot be used; empty: it can
-  std::string remark;   ///< a sentence about what it does and should not; empty: nothing
+  std::string remark;   ///< a fault that does not change results, a sentence; empty: none
 };
 
-/// Every component of every plugin found on the search path, by kind and name. Components are
-/// made at first use, live as long as the process, and are shared by threads. Calls to them that may
-/// throw go through `guarded_call` with their `origin`.
+/// Every component of every plugin on the search path, by kind and name. Components are made at first use, live as long
+/// as the process, and are shared by threads. Calls to them that may throw must go through `guarded_call` with their
+/// `origin`.
 class PluginCatalog {
  public:
-  /// Loads all `*.so` files of the folders, in order of folder and name; a file that two of them lead
-  /// to is loaded once. A folder that does not exist is passed over. Broken files do not hide the
-  /// good ones: they are kept as `problems()`, and asking for a component that is missing names them.
+  /// Loads all `*.so` files of the folders, in order of folder and name; a file reached through two of them is loaded
+  /// once. A missing folder is skipped. Broken files do not hide the good ones: they are kept as `problems()`, which
+  /// are listed when a component is missing.
   ///
-  /// Then each component is made and asked what it is in a child process, with a time limit: one that ends the child,
-  /// or takes too long, or changes the process (foundation/processes/process_watch.h), or says of itself what cannot be
-  /// (loading/conformance.h), is refused with a sentence; the others go on working. The hooks of an effect are tried as
-  /// well (loading/effect_probe.h).
+  /// Then each component is made and described in a child process with a time limit. One that ends the child, takes too
+  /// long, changes the process (foundation/processes/process_watch.h), or has an invalid description (loading/conformance.h) is
+  /// refused with a sentence; the others stay usable. The hooks of an effect are tried, too (loading/effect_probe.h).
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);
 
   /// The component of that interface and name: `get<PhysicalEffect>("viscous_friction")`. Throws `Error` for a name
-  /// that no plugin has, or that two have, for a component that was refused, and where making it fails.
+  /// without a plugin, or with two, for a component that was refused, and where making it fails.
   template <class Interface>
   const Interface& get(const std::string& name) const {
     return *static_cast<const Interface*>(shared_component(find(ComponentKind<Interface>::name, name)));
   }
-  /// A new one, for kinds that have a state of their own, such as targets.
+  /// A new object, for kinds with state, such as targets.
   template <class Interface>
   std::unique_ptr<Interface> make(const std::string& name) const {
     return std::unique_ptr<Interface>(
         static_cast<Interface*>(new_component(find(ComponentKind<Interface>::name, name))));
   }
-  /// How messages name the component of that kind and name, whether it exists or not.
+  /// The name of the component in messages, whether it exists or not.
   template <class Interface>
   ComponentOrigin origin(const std::string& name) const {
     return origin(ComponentKind<Interface>::name, name);
   }
 
-  /// Names of the usable components of a kind; none of them is made.
+  /// Names of the usable components of a kind; makes none of them.
   template <class Interface>
   std::vector<std::string> names() const {
     return names(ComponentKind<Interface>::name);
   }
 
-  /// What an effect does and should not, a sentence; empty: nothing is known.
+  /// A fault of an effect that does not change results, a sentence; empty: none is known.
   std::string remark_on_effect(const std::string& name) const;
 
   /// Every component, by kind and name, with its summary.
@@ -88,12 +87,12 @@ class PluginCatalog {
   static void* new_component(const std::shared_ptr<Entry>& entry);
 
   std::vector<std::filesystem::path> folders_;
-  std::vector<std::shared_ptr<Entry>> entries_;  // shared: a component that was made outlives its catalog
+  std::vector<std::shared_ptr<Entry>> entries_;  // shared: a component may outlive its catalog
   std::vector<std::string> problems_;
 };
 
-/// Where the program's own plugins lie: `../lib/lacuna/plugins` beside its folder; empty where the system
-/// does not tell.
+/// The folder of the program's own plugins: `../lib/lacuna/plugins` beside its folder; empty where the system does not
+/// give it.
 std::filesystem::path installed_plugins();
 
 /// `--plugin-path` folders, then LACUNA_PLUGIN_PATH (colon-separated), then `../lib/lacuna/plugins`

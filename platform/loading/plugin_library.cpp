@@ -25,7 +25,7 @@ namespace {
 
 using boost::dll::shared_library;
 
-/// Loads for good: the handle is never given back.
+/// Loads for good: the handle is never closed.
 const shared_library& load_for_good(const std::filesystem::path& file) {
   static auto* const handles = new std::vector<std::unique_ptr<shared_library>>;
   auto handle =
@@ -36,7 +36,7 @@ const shared_library& load_for_good(const std::filesystem::path& file) {
 
 using TableFunction = const PluginTable*();
 
-/// Throws `Error` where the library has no such function, or that throws anything.
+/// Throws `Error` where the library has no such function, or where the function throws.
 const PluginTable* table_of(const shared_library& library, const std::filesystem::path& file) {
   if (!library.has(kPluginSymbol))
     throw Error(std::string("has no function ") + kPluginSymbol +
@@ -49,7 +49,7 @@ const PluginTable* table_of(const shared_library& library, const std::filesystem
   }
 }
 
-/// The part of the loader's message that says something, its symbol names made readable.
+/// The informative part of the loader's message, with readable symbol names.
 std::string loader_complaint(std::string_view message) {
   constexpr std::string_view kStart = "system message: ";
   constexpr std::string_view kUndefined = "undefined symbol: ";
@@ -68,33 +68,32 @@ std::string in_child(const std::filesystem::path& file, const std::string& endin
   return file.string() + ": " + ending + " when it was loaded; copy it or build it again, or remove it from the folder";
 }
 
-/// As libraries are to leave the process; none: the first of them has not been loaded here.
+/// The process state that libraries must leave; none: no library has been loaded here.
 std::unique_ptr<const ProcessState>& state_before_loading() {
   static auto* const state = new std::unique_ptr<const ProcessState>;
   return *state;
 }
 
 void remember_state() {
-  state_before_loading() = nullptr;  // gives its copies of the streams back, which are to be no part of the next state
+  state_before_loading() = nullptr;  // restores its copies of the streams, which must not be part of the next state
   state_before_loading() = std::make_unique<const ProcessState>();
 }
 
-/// What the library changed that was loaded now, set back; empty: nothing.
+/// Changes by the library that was just loaded, set back; empty: none.
 std::string sentence_of_changes() {
   const std::vector<std::string> changes = state_before_loading()->set_back(ProcessState::Extent::complete);
   if (changes.empty()) return {};
-  remember_state();  // what could not be set back is not the next one's
+  remember_state();  // a change that could not be set back is not blamed on the next library
   return "changes " + enumerated(changes) +
          " when it is loaded, on which other code relies; remove this from its static objects and link options, or "
          "remove the plugin from the folder";
 }
 
-/// How a parent process names what a library does when it is loaded, before anything is known of its components.
+/// Name for the loading of a library in a parent process, before its components are known.
 const char* file_on_page(const std::filesystem::path& file) { return component_on_page(file.string()); }
 constexpr const char* kLoading = "its code that runs on loading";
 
-/// What happens to a file in the child process: everything that will happen to it in this one. What it changed of the
-/// process.
+/// Loads the file in the child process exactly as this process will. Returns the changes of the process.
 std::string rehearse(const std::filesystem::path& file) {
   const PluginCall call(file_on_page(file), kLoading);
   ProcessWatch::look_closely();
@@ -104,7 +103,7 @@ std::string rehearse(const std::filesystem::path& file) {
     const shared_library library(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
     changes = sentence_of_changes();
     table_problem(table_of(library, file));
-  } catch (...) {  // this process meets it again, and says what it was
+  } catch (...) {  // this process will meet and report it
   }
   return changes;
 }
@@ -150,7 +149,7 @@ std::vector<PluginLoad> PluginLibrary::load_all(const std::vector<std::filesyste
     else
       loads[i].problem = files[i].string() + ": " + problem;
   }
-  state_before_loading() = nullptr;  // the child's is another one
+  state_before_loading() = nullptr;  // the state of the child is separate
   const std::vector<ChildAnswer> rehearsals =
       ask_in_child(complete.size(), [&](std::size_t index) { return rehearse(files[complete[index]]); });
   remember_state();

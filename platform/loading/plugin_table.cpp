@@ -54,8 +54,7 @@ bool is_lower_snake(std::string_view name) {
   });
 }
 
-/// What the tables of all versions begin with; nothing else is known of another version's, not even where it is
-/// aligned.
+/// The beginning of the tables of all versions; the rest of another version's table is unknown, even its alignment.
 struct TableHead {
   char magic[8];
   std::uint32_t interface_version;

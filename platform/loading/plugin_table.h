@@ -6,9 +6,8 @@
 
 namespace lacuna {
 
-/// The handshake: what is wrong with the table that a plugin returned, and what to do; empty: nothing.
-/// Looks at plain data only and calls nothing of the plugin. A table of another interface version is
-/// read no further than its version.
+/// The handshake: the fault of the table that a plugin returned, and what to do; empty: none. Reads plain data only and
+/// calls nothing of the plugin. Of a table with another interface version only the version is read.
 std::string table_problem(const PluginTable* table);
 
 }  // namespace lacuna

@@ -29,7 +29,7 @@ std::string unit_of(const CsvFormat& format, std::size_t column) {
   return unit_of_cell(format.units[column]);
 }
 
-/// The column as that channel; nothing where its name is another one.
+/// The column as that channel; nothing where its name is a different one.
 std::optional<KnownColumn> known_column(const CsvFormat& format, std::size_t column, const Channel& channel,
                                         FileReport& report) {
   if (name_without_unit(format.names[column]) != channel.name && format.names[column] != channel.name)

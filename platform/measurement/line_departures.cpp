@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kPause = 5.0;  ///< median intervals over two readings: more is a pause
+constexpr double kPause = 5.0;  ///< median intervals over two readings: more is a gap
 
 }  // namespace
 

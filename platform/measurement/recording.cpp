@@ -23,14 +23,14 @@ namespace lacuna {
 namespace {
 
 struct WholeSource {
-  RecordingSource source;               ///< as it holds for the file under way
+  RecordingSource source;               ///< the settings of the current file
   RecordingPlan plan;                   ///< the same
-  std::vector<std::string> file_names;  ///< how trials are called: the file's name, or its path where two have one name
+  std::vector<std::string> file_names;  ///< names of trials: the file's name, or its path where two have one name
   std::set<std::string> trials_seen;    ///< values of the trial column in all files
-  bool has_one_trial = false;           ///< of which nobody says whether some of it is held out
+  bool has_one_trial = false;           ///< recordings without a setting for held-out data
 };
 
-constexpr std::size_t kFewestToSplit = 40;  ///< samples: a quarter of fewer shows nothing
+constexpr std::size_t kFewestToSplit = 40;  ///< samples: a quarter of fewer has too little information
 
 void note_start(const TrialClock& clock, const CsvTable& table, FileReport& report) {
   if (clock.origin == 0.0) return;
@@ -39,7 +39,7 @@ void note_start(const TrialClock& clock, const CsvTable& table, FileReport& repo
   });
 }
 
-/// An initial value that is given holds at the start of the file, which a range in its middle leaves out.
+/// A given initial value is that at the start of the file, which a range in its middle leaves out.
 void note_initial(const WholeSource& whole, const TrialClock& file, const TrialClock& piece, const CsvTable& table,
                   FileReport& report) {
   const bool given = std::any_of(whole.plan.initial.begin(), whole.plan.initial.end(),
@@ -52,7 +52,7 @@ void note_initial(const WholeSource& whole, const TrialClock& file, const TrialC
   });
 }
 
-/// A held-out stretch of which nothing is used is a mistake: of its numbers, of the file, or of the times to be used.
+/// A held-out part without used samples is a mistake: in its numbers, the file, or the times to be used.
 void check_holdout_ranges(const MeasuredFile& file, const std::vector<TrialClock>& held_out, FileReport& report) {
   for (const TimeRange& range : file.holdout) {
     const bool is_there = std::any_of(held_out.begin(), held_out.end(), [&](const TrialClock& clock) {
@@ -68,7 +68,7 @@ void check_holdout_ranges(const MeasuredFile& file, const std::vector<TrialClock
   }
 }
 
-/// Parts of a file that are trials of their own: what is to be used, cut where held-out stretches begin and end.
+/// Parts of a file that are separate trials: the used ranges, cut where held-out parts begin and end.
 std::vector<ClockPart> parts_of(const TrialClock& clock, const std::vector<TimeRange>& use,
                                 const std::vector<TimeRange>& holdout) {
   std::vector<ClockPart> parts;
@@ -77,7 +77,7 @@ std::vector<ClockPart> parts_of(const TrialClock& clock, const std::vector<TimeR
   return parts;
 }
 
-/// Of a trial that is the only one, its last quarter; of one that is too short for it, nothing.
+/// The last quarter of a single trial; nothing if it is too short for that.
 std::vector<TimeRange> last_quarter(const TrialClock& clock, const std::vector<TimeRange>& use) {
   const std::vector<TrialClock> pieces = cut_to_ranges(clock, use);
   if (pieces.size() != 1 || pieces.front().times.size() < kFewestToSplit) return {};
@@ -94,7 +94,8 @@ void note_split(const TimeRange& held_out, int line, FileReport& report) {
   });
 }
 
-/// A part that goes on where another ended starts from its own readings, not from what is given for the file's start.
+/// A part that continues where another ended starts from its own readings, not from the values given for the file's
+/// start.
 void forget_given_start(Trial& trial) {
   for (InitialValue& value : trial.initial)
     if (value.knowledge == InitialKnowledge::given) value = {};
@@ -185,7 +186,7 @@ bool is_csv(const MeasuredFile& file, const RecordingFormats* formats) {
   return !formats || !formats->reads(file.path);
 }
 
-/// Of runs side by side in a file the run, too: "pendulum.csv[Run #2]".
+/// With the run for runs side by side in a file: "pendulum.csv[Run #2]".
 std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files, const RecordingFormats* formats) {
   std::map<std::string, std::set<std::filesystem::path>> of_name;
   for (const MeasuredFile& file : files) of_name[file.path.filename().string()].insert(file.path);
@@ -198,8 +199,8 @@ std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files, 
   return names;
 }
 
-/// A file that is both fitted to and held out would make every held-out error look good. Of one with tables a recording
-/// may join several; runs side by side are recordings of their own.
+/// A file that is both fitted to and held out would make every held-out error look good. A recording may join several
+/// tables of a file; runs side by side are separate recordings.
 void check_files_differ(const std::vector<MeasuredFile>& files, const RecordingFormats* formats,
                         ProblemList& problems) {
   std::set<std::filesystem::path> before;
@@ -225,14 +226,14 @@ bool is_of_joint(const std::string& coordinate, const std::string& joint) {
   return coordinate == joint || coordinate == "joint." + joint || coordinate.starts_with("joint." + joint + ".");
 }
 
-/// What is used and masked in a file.
+/// The used and masked times of a file.
 void take_own_ranges(const RecordingSource& source, const MeasuredFile& file, RecordingSource& own) {
   own.use = file.use.empty() ? source.use : file.use;
   own.mask = source.mask;
   own.mask.insert(own.mask.end(), file.mask.begin(), file.mask.end());
 }
 
-/// What is known of the starts of a file.
+/// The knowledge about initial states in a file.
 std::map<std::string, KnownStart> starts_of(const RecordingSource& source, const MeasuredFile& file) {
   std::map<std::string, KnownStart> starts = file.initial;
   for (const auto& [name, start] : source.initial) {
@@ -247,7 +248,7 @@ std::map<std::string, KnownStart> starts_of(const RecordingSource& source, const
   return starts;
 }
 
-/// Fills in what is known of the starts, and says what is meant by nothing.
+/// Fills in the knowledge about initial states, with defaults for the rest.
 void plan_starts(const std::map<std::string, KnownStart>& initial, const std::vector<std::string>& coordinates,
                  RecordingPlan& plan, ProblemList& problems) {
   plan.initial.clear();

@@ -19,15 +19,15 @@ struct Recording {
   std::vector<ReadingNote> notes;
 };
 
-/// Reads the files of a recorded target into trials. `channels` and `actuators` are those of the
-/// model's robot with their SI units; mappings to anything else are problems. `coordinates` names
-/// the robot's joint coordinates, `joint.hinge` or `joint.wrist.1`, and is only needed where the
-/// source gives initial values. Throws `BadInput` with every problem of every file.
+/// Reads the files of a recorded target into trials. `channels` and `actuators` are those of the model's robot with
+/// their SI units; mappings to anything else are problems. `coordinates` names the robot's joint coordinates,
+/// `joint.hinge` or `joint.wrist.1`, and is only needed where the source gives initial values. Throws `BadInput` with
+/// every problem of every file.
 ///
-/// Channels of a trial stand in the robot's order, whatever the order of the mappings; channels
-/// without a mapping are left out. Commands and measured channels share the file's own time stamps,
-/// shifted so that a trial starts at 0 s. docs/reference/measurements.md says what is accepted. Files are CSV or of one
-/// of the other `formats`, if there are any.
+/// Channels of a trial are in the robot's order, whatever the order of the mappings; channels without a mapping are
+/// left out. Commands and measured channels share the file's time stamps, shifted so that a trial starts at 0 s.
+/// docs/reference/measurements.md describes the accepted files. Files are CSV or of one of the other `formats`, if
+/// there are any.
 Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
                          const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates = {},
                          const RecordingFormats* formats = nullptr);
@@ -36,10 +36,10 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
 Recording read_recording(const RecordingSource& source, const RobotSpec& robot,
                          const RecordingFormats* formats = nullptr);
 
-/// The service that the host hands to targets: reads the source anew at each call.
+/// The host's service for targets: reads the source again at each call.
 class RecordingReader : public TrialReader {
  public:
-  /// `on_note` hears every reading note; it may be empty. `formats` as above, and outlives the reader.
+  /// `on_note` receives every reading note; it may be empty. `formats` as above, and outlives the reader.
   RecordingReader(RecordingSource source, RobotSpec robot, std::function<void(const ReadingNote&)> on_note = {},
                   const RecordingFormats* formats = nullptr);
   std::vector<Trial> read() const override;

@@ -20,10 +20,10 @@ constexpr Eigen::Index kWindowsAtLeast = 2;
 // 3.5; white noise of twelve samples has 1.0 ± 0.6.
 constexpr double kMostDrift = 2.0;
 constexpr double kMostScatter = 5.0;  // times that of second differences: correlation of neighbours up to about 0.95
-constexpr double kSameMean = 1.0;     // scatters between the means of neighbouring windows
-constexpr double kSameScatter = 3.0;  // times the quietest tenth of the windows
+constexpr double kSameMean = 1.0;     // standard deviations between the means of neighbouring windows
+constexpr double kSameScatter = 3.0;  // times that of the quietest tenth of the windows
 constexpr double kFewestReadings = 48;
-// A step this small against the span is a printed digit as likely as a quantiser, and noise may well be larger.
+// A step this small compared with the range is as likely a printed digit as a quantiser, and noise may be larger.
 constexpr double kCoarseStep = 1e-4;
 
 struct Window {
@@ -66,10 +66,10 @@ double quiet_scatter(const std::vector<Window>& windows) {
   return *tenth;
 }
 
-/// Windows that rest together: neither their means nor a line through them wander beyond the scatter.
+/// Consecutive windows at rest: neither their means nor a line through them change beyond the scatter.
 class Stretch {
  public:
-  /// Takes the window in, or leaves the stretch as it is and says no.
+  /// Adds the window, or leaves the rest period unchanged and returns false.
   bool extend(const Window& window, double quantum) {
     Stretch longer = *this;
     longer.add(window);
@@ -105,7 +105,7 @@ class Stretch {
   double means_ = 0.0, means_times_indices_ = 0.0, variances_ = 0.0;
 };
 
-/// Sums of rest stretches of all trials.
+/// Sums over the rest periods of all trials.
 struct RestSums {
   double squares = 0.0, products = 0.0, degrees_of_freedom = 0.0, readings = 0.0;
 

@@ -37,8 +37,8 @@ std::string reason_for_no_place(const GuessedColumn& column) {
   return "all joints already have a drive; if it drives one, name it with --command";
 }
 
-/// Gives each column to the joint with its name, to the only joint, or in order where there are as many of
-/// both. What finds no place is unused.
+/// Gives each column to the joint with its name, to the only joint, or in order where there are as many columns as
+/// joints. Columns without a joint are unused.
 void attach(RigGuess& guess, const Columns& columns, Slot slot) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     GuessedJoint* place = nullptr;
@@ -57,7 +57,7 @@ void attach(RigGuess& guess, const Columns& columns, Slot slot) {
   }
 }
 
-/// The share of samples in which a column does something.
+/// The share of samples in which a column is active.
 double activity(const FileSample& sample, const GuessedColumn& column) {
   const std::vector<double>& values = sample.columns[static_cast<std::size_t>(sample.find(column.name))];
   return static_cast<double>(std::count_if(values.begin(), values.end(), [](double value) { return value != 0.0; }));
@@ -83,8 +83,8 @@ void make_joints(RigGuess& guess, const Columns& columns) {
   if (!positions.empty()) attach(guess, velocities, &GuessedJoint::velocity);
 }
 
-/// Commands of which torques and forces come first, then the busiest, so that a disturbance that is mostly zero is not
-/// taken for the drive, nor a current or a voltage where the torque is known.
+/// Torques and forces come first among commands, then the most active, so that a disturbance that is mostly zero is not
+/// used as the drive, nor a current or a voltage where the torque is known.
 Columns commands_by_activity(const Columns& columns, const FileSample& sample, std::size_t joints) {
   Columns commands = with_role(columns, ColumnRole::command);
   std::map<std::string, double> active;
@@ -101,7 +101,7 @@ Columns commands_by_activity(const Columns& columns, const FileSample& sample, s
   return commands;
 }
 
-/// The joint that a setpoint is of, of several with its name one that nothing drives yet.
+/// The joint of a setpoint: of several with its name, one without a drive so far.
 GuessedJoint* joint_of(RigGuess& guess, const GuessedColumn& reference) {
   GuessedJoint* found = nullptr;
   for (GuessedJoint& joint : guess.joints)
@@ -150,7 +150,7 @@ void name_joints(RigGuess& guess) {
   }
 }
 
-/// A time without unit: intervals of robots are milliseconds.
+/// A time without a unit: sampling intervals of robots are about milliseconds.
 void settle_time_unit(RigGuess& guess, const FileSample& sample) {
   guess.time_unit_reason = "its name";
   if (same_dimension(guess.time.unit, "s")) return;
@@ -168,7 +168,7 @@ void settle_hold(RigGuess& guess) {
     }
 }
 
-/// Columns of the first file that all others have too.
+/// Columns of the first file that all others have, too.
 Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints& hints) {
   Columns columns = guess_columns(samples.front(), hints);
   for (const FileSample& sample : samples)
@@ -205,7 +205,7 @@ RigGuess guess_clock(const Columns& columns, const FileSample& first) {
   return guess;
 }
 
-/// The sensors and the motors that the draft of the robot will have, with the columns of their joints.
+/// The sensors and the motors of the draft of the robot, with the columns of their joints.
 void match_joints(RigGuess& guess) {
   for (const GuessedJoint& joint : guess.joints) {
     if (joint.position) guess.sensors.push_back({{joint.position_sensor(), position_unit(joint)}, *joint.position});
@@ -214,7 +214,7 @@ void match_joints(RigGuess& guess) {
   }
 }
 
-/// A column that is SI has the unit of what it is taken to be.
+/// A column assumed to be SI has the unit of its role.
 void settle_units(RigGuess& guess) {
   const auto settle = [](GuessedColumn& column, const std::string& unit) {
     if (column.in_si && column.unit.empty()) column.unit = unit;

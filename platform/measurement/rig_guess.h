@@ -17,17 +17,17 @@ struct GuessedJoint {
   bool slides = false;  ///< else it turns
   std::optional<GuessedColumn> position, velocity;
   std::optional<GuessedColumn> command;
-  ActuatorKind actuator = ActuatorKind::force;  ///< a servo where the command is a reference, voltage where it is one
-  bool only_one = true;                         ///< then names need not tell joints apart
+  ActuatorKind actuator = ActuatorKind::force;  ///< a servo if the command is a reference, a voltage if it is one
+  bool only_one = true;                         ///< then names need not distinguish joints
 
-  /// Names of what stands around it in the robot.
+  /// Names of the elements around it in the robot.
   std::string body() const;
   std::string motor() const;
   std::string position_sensor() const;
   std::string velocity_sensor() const;
 };
 
-/// What recordings seem to be of.
+/// A guess at the rig of some recordings.
 struct RigGuess {
   GuessedColumn time;
   std::string time_unit_reason;
@@ -40,24 +40,24 @@ struct RigGuess {
   std::vector<GuessedColumn> unused;
 };
 
-/// Puts the columns that all files have together to joints. Throws `BadInput` for files that are not
-/// readable, and `Error` where no column can be the time or none is measured, saying how to name them.
+/// Assigns the columns that all files have to joints. Throws `BadInput` for files that are not readable, and `Error`
+/// where no column can be the time or none is measured, with how to name them.
 RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints);
 
-/// The same for a robot that is known: the columns that all files have are matched with its sensors and actuators.
-/// Throws `Error` where no sensor gets one.
+/// The same for a known robot: the columns that all files have are matched with its sensors and actuators. Throws
+/// `Error` where no sensor gets one.
 RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints, const RobotSpec& robot);
 
-/// A recording that a guess is made from: a file, or one of the runs in it (csv_runs.h).
+/// A recording for a guess: a file, or one of the runs in it (csv_runs.h).
 struct GuessedFile {
   std::filesystem::path path;
   std::string run = {};
 };
 
-/// A source that reads the files as guessed; units that are not known are taken to be SI, and gains 1.
+/// A source that reads the files as guessed; unknown units are assumed to be SI, and gains 1.
 RecordingSource source_of(const RigGuess& guess, const std::vector<GuessedFile>& files);
 
-/// SI unit of what a joint's position, velocity or actuator has.
+/// SI unit of a joint's position, velocity or actuator.
 std::string position_unit(const GuessedJoint& joint);
 std::string velocity_unit(const GuessedJoint& joint);
 std::string command_unit(const GuessedJoint& joint);

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-/// Takes pieces from the front of a text; once one is not there, nothing more is.
+/// Takes parts from the front of a text; after a missing part, takes nothing more.
 class Pieces {
  public:
   explicit Pieces(std::string_view text) : rest_(text) {}
@@ -64,7 +64,7 @@ int zone(Pieces& pieces) {
   return sign * (hours * 3600 + minutes * 60);
 }
 
-/// Hours to add to those of a twelve-hour clock; takes the mark of the half of the day, if there is one.
+/// Hours to add for a twelve-hour clock; takes the AM or PM mark, if there is one.
 std::optional<int> half_of_day(Pieces& pieces, int hour) {
   pieces.take(" ");
   const bool afternoon = pieces.take("Pp");

@@ -12,15 +12,15 @@ struct DateStamp {
   double fraction = 0.0;  ///< s, 0 to 1, after `seconds`
 };
 
-/// Reads a date with a time of day as ISO 8601 writes it: `2024-05-01T12:00:00.25Z`; a space may stand for the T, a
-/// comma for the point, and a zone such as `+02:00` or `+0200` for the Z. Without a zone the time is taken as UTC.
-/// Nothing where the text is something else, or no such day or time of day exists.
+/// Reads a date with a time of day in ISO 8601: `2024-05-01T12:00:00.25Z`; a space may replace the T, a comma the
+/// point, and a zone such as `+02:00` or `+0200` the Z. Without a zone the time counts as UTC. Nothing where the text
+/// is something else, or there is no such day or time of day.
 std::optional<DateStamp> read_date_stamp(std::string_view text);
 
 /// A time of day, or of an hour.
 struct ClockTime {
   DateStamp since;      ///< the start of the day or hour
-  double period = 0.0;  ///< s, after which the clock starts again
+  double period = 0.0;  ///< s, after which the clock restarts
 };
 
 /// Reads a time of day such as `12:59:57.005`, `12:59:57,005`, `12:59:57:005` or `1:59:57.005 PM`, and minutes with

@@ -6,11 +6,11 @@
 
 namespace lacuna {
 
-/// What a cell of a measured file holds.
+/// The content of a cell of a measured file.
 enum class CellKind {
   number,
   missing,   ///< empty, NaN, NA, null, none, "-": nothing was measured
-  infinite,  ///< inf, or a number that no double holds
+  infinite,  ///< inf, or a number outside the range of a double
   text
 };
 
@@ -24,20 +24,20 @@ std::string_view trimmed(std::string_view text);
 /// Reads a cell; spaces around it do not count. With `decimal_comma`, `0,5` is one half and `0.5` text.
 NumberCell read_number(std::string_view cell, bool decimal_comma);
 
-/// Reads time stamps without loss where they count from far away (seconds or nanoseconds since 1970), or are dates or
-/// times of day (date_stamp.h): whole units are subtracted from each stamp as integers before it becomes a double. All
-/// stamps of a file are of the kind of the first.
+/// Reads time stamps without loss where they count from a distant origin (seconds or nanoseconds since 1970), or are
+/// dates or times of day (date_stamp.h): whole units are subtracted from each stamp as integers before it becomes a
+/// double. All stamps of a file are of the kind of the first.
 class TimeStampReader {
  public:
   explicit TimeStampReader(bool decimal_comma) : decimal_comma_(decimal_comma) {}
 
-  /// The stamp minus `origin()`, which the first stamp read determines: 0 unless it is beyond 10^6. Of a date or a time
-  /// of day in s.
+  /// The stamp minus `origin()`, which the first stamp determines: 0 unless it is beyond 10^6. For a date or a time of
+  /// day in s.
   NumberCell read(std::string_view cell);
   double origin() const { return static_cast<double>(origin_); }
-  /// Whether the stamps are dates or times of day, which have their unit in themselves.
+  /// Whether the stamps are dates or times of day, which need no unit.
   bool dated() const { return dated_; }
-  /// s, after which times of day or of an hour start again; 0: they do not.
+  /// s, period of times of day or of an hour; 0: none.
   double period() const { return period_; }
 
  private:

@@ -8,9 +8,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSlow = 0.1;  ///< of the usual speed: friction turns round within it
+constexpr double kSlow = 0.1;  ///< of the usual speed: friction changes its sign within it
 
-/// `alike`: columns that are shifted and scaled as these are.
+/// `alike`: columns that are shifted and scaled in the same way.
 void standardise(Eigen::MatrixXd& columns, Eigen::MatrixXd* alike = nullptr) {
   for (Eigen::Index c = 0; c < columns.cols(); ++c) {
     double sum = 0.0, squares = 0.0, count = 0.0;
@@ -38,9 +38,9 @@ using Column = std::vector<double>;
 
 Column twice_beside_rates(const Column& values) { return means_beside_rates(means_beside_rates(values)); }
 
-/// What a reading says of the forces on its joint: each smoothed twice, as all other signals are, and averaged as what
-/// is differentiated twice is. Otherwise a force's slow and quick parts would stand for different moments. What is not
-/// linear in the reading is computed before the second smoothing, so that the two change places with little error.
+/// Features of the forces on a reading's joint. Each is smoothed twice, like all other signals, and averaged like a
+/// signal that is differentiated twice; otherwise slow and fast parts of a force would belong to different times.
+/// Nonlinear functions of the reading are computed before the second smoothing, which changes little.
 std::vector<Column> features_of(const ClockedSignal& reading, const Lattice& lattice, std::size_t reach) {
   const Column once = smoothed(step_means(reading.times, reading.values, false, lattice), reach);
   const bool is_position = reading.unit == "rad" || reading.unit == "m";

@@ -17,8 +17,8 @@ constexpr std::size_t kAlignmentReach = 4;  ///< steps, of each of two smoothing
 double begin_of(const std::vector<ClockedSignal>& signals);
 double end_of(const std::vector<ClockedSignal>& signals);
 
-/// The signals of one device at even moments: what may explain others, by every other reading and by those between, and
-/// what is to be explained.
+/// The signals of one device at even times: features that may explain other signals, from every other reading and from
+/// those between, and targets to be explained.
 struct Sampled {
   Lattice lattice;
   Eigen::MatrixXd features, again, targets;
@@ -31,7 +31,7 @@ struct SampledPair {
   double offset(std::int64_t shift) const { return base + static_cast<double>(shift) * first.lattice.step; }
 };
 
-/// `offset`: one that lies a whole number of steps from that of no shift.
+/// `offset`: one that is a whole number of steps from that of shift zero.
 SampledPair sample_pair(const std::vector<ClockedSignal>& first, const std::vector<ClockedSignal>& second, double step,
                         double offset = 0.0);
 

@@ -18,21 +18,21 @@ namespace {
 
 constexpr std::size_t kBlocks = 16;
 constexpr std::size_t kReach = kAlignmentReach;
-constexpr std::int64_t kRowStride = kReach;  ///< steps from row to row: half of what smoothing reaches
-constexpr double kCoarsest = 750.0;          ///< windows in the longer recording when first looking
-constexpr double kFewestWindows = 90.0;      ///< in the longer recording, of the longest that are tried
-constexpr double kBetterLook = 0.7;          ///< unexplained, to prefer longer windows
+constexpr std::int64_t kRowStride = kReach;  ///< steps from row to row: half the reach of the smoothing
+constexpr double kCoarsest = 750.0;          ///< windows in the longer recording in the first search
+constexpr double kFewestWindows = 90.0;      ///< in the longer recording, of the longest windows that are tried
+constexpr double kBetterLook = 0.7;          ///< of the unexplained share, by which a longer window is preferred
 constexpr double kNearlyBest = 1.3;          ///< errors
-constexpr double kAgree = 2.0;               ///< standard errors between offsets by different windows
-constexpr double kLeastError = 0.005;     ///< of the slower device's interval: nothing is known of what happens within
-constexpr double kFewestIntervals = 8;    ///< of the slower device within a window's reach, half of them in each half
-constexpr double kAround = 2.0;           ///< reaches to either side that are looked at again with a finer one
-constexpr double kMostWindows = 2e4;      ///< in the longer recording: finer ones would take minutes
-constexpr double kLeastOverlap = 0.5;     ///< of the shorter recording
-constexpr double kLeastVariance = 0.1;    ///< of a target's: where it hardly changes, nothing explains it
-constexpr double kDistinct = 3.0;         ///< standard errors between the best offset and any other
+constexpr double kAgree = 2.0;               ///< standard errors between offsets with different windows
+constexpr double kLeastError = 0.005;        ///< of the slower device's interval: smaller windows have no information
+constexpr double kFewestIntervals = 8;  ///< of the slower device within a window's reach, half of them in each half
+constexpr double kAround = 2.0;         ///< reaches to either side that are searched again with a finer window
+constexpr double kMostWindows = 2e4;    ///< in the longer recording: finer ones would take minutes
+constexpr double kLeastOverlap = 0.5;   ///< of the shorter recording
+constexpr double kLeastVariance = 0.1;  ///< of a target's variance: where a target hardly changes, nothing explains it
+constexpr double kDistinct = 3.0;       ///< standard errors between the best offset and any other
 constexpr double kMostUnexplained = 0.5;  ///< of a target, unexplained
-constexpr double kApart = 8.0;            ///< parts of a step between offsets at last
+constexpr double kApart = 8.0;            ///< parts of a step between the final offsets
 constexpr int kSkewRounds = 3;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -45,10 +45,10 @@ double slowest_interval(const Signals& signals) {
   return slowest;
 }
 
-/// Which side's readings explain the other's signals.
+/// Which side's readings explain the other side's signals.
 enum class By { second, first };
 
-/// One, a row of features and one of targets; false where a value is missing.
+/// Features and targets of one row; false where a value is missing.
 bool join(const Eigen::MatrixXd& features, Eigen::Index feature, const Eigen::MatrixXd& targets, Eigen::Index target,
           Eigen::VectorXd& row) {
   double* to = row.data();
@@ -58,10 +58,10 @@ bool join(const Eigen::MatrixXd& features, Eigen::Index feature, const Eigen::Ma
   return std::all_of(row.data(), to, [](double value) { return std::isfinite(value); });
 }
 
-/// What noise of the readings does: it stays, which never explains too much, or it is taken out (BlockedRegression).
+/// Treatment of noise of the readings: it stays, which never explains too much, or it is removed (BlockedRegression).
 enum class ReadingNoise { stays, taken_out };
 
-/// Row i of the first goes with row i − shift of the second.
+/// Row i of the first belongs to row i − shift of the second.
 BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift, ReadingNoise noise) {
   throw_if_interrupted();
   const Sampled& explaining = by == By::second ? pair.second : pair.first;
@@ -82,7 +82,7 @@ BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift, Re
   return regression;
 }
 
-/// The share of a target that the readings do not explain; NaN where it hardly varies in this overlap.
+/// The unexplained share of a target; NaN where the target hardly varies in this overlap.
 double unexplained(const BlockedRegression& regression, Eigen::Index target) {
   return regression.rows() > 0.0 && regression.variance(target) > kLeastVariance ? regression.unexplained(target)
                                                                                  : kUnknown;
@@ -107,7 +107,7 @@ Shifts shifts_within(const SampledPair& pair, const std::pair<double, double>& b
   return {static_cast<std::int64_t>(std::ceil(from)), static_cast<std::int64_t>(std::floor(to))};
 }
 
-/// The shift at which some target is explained best, and all others at which it is explained better than beside them.
+/// The shift at which some target is explained best, and all other local optima.
 struct Found {
   Best best;
   std::vector<std::int64_t> others;
@@ -149,7 +149,7 @@ Found scan_offsets(const SampledPair& pair, const Shifts& shifts) {
   return found;
 }
 
-/// Whether the errors of stretches grow from the best offset to another, by more than they scatter.
+/// Whether the errors of the blocks grow from the best offset to another by more than they scatter.
 bool is_distinct(const SampledPair& pair, const Best& best, std::int64_t other) {
   const std::vector<double> here = regress(pair, best.by, best.shift, ReadingNoise::stays).errors(best.target);
   const std::vector<double> there = regress(pair, best.by, other, ReadingNoise::stays).errors(best.target);
@@ -164,8 +164,7 @@ bool is_distinct(const SampledPair& pair, const Best& best, std::int64_t other) 
   return c.mean() > kDistinct * error;
 }
 
-/// The lowest point of a parabola through the least of evenly spaced values and its neighbours, in steps; none at an
-/// end.
+/// The minimum of a parabola through the smallest of evenly spaced values and its neighbours, in steps; none at an end.
 std::optional<double> lowest(const std::vector<double>& values) {
   std::size_t least = values.size();
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -194,20 +193,20 @@ StraightLine line_through(const std::vector<double>& x, const std::vector<double
   return line;
 }
 
-/// Offsets near one by windows of one reach, with what each stretch alone would say.
+/// Offsets near one with windows of one reach, and those of each block alone.
 struct Fine {
   double offset = 0.0, error = 0.0;
-  std::vector<double> middles, offsets;  ///< by stretch: s since the second's begin, s
+  std::vector<double> middles, offsets;  ///< by block: s since the second's begin, s
 };
 
-/// The lowest point by three values a little apart, from the middle one; NaN where they do not bend upwards.
+/// The minimum from three close values, relative to the middle one; NaN where they are not convex.
 double lowest_near(double before, double middle, double after, double apart) {
   const double bend = before + after - 2.0 * middle;
   return bend > 0.0 ? 0.5 * apart * (before - after) / bend : kUnknown;
 }
 
-/// The offset near one that is good to a step, and its error by a jackknife over stretches. Steps are too far apart for
-/// a parabola: what a wrong offset costs is not even to both sides.
+/// The offset near one that is known to a step, and its error by a jackknife over blocks. The steps are too large for a
+/// parabola, because the error is not symmetric around the offset.
 Fine refine_between(const Signals& first, const Signals& second, const Best& best, double near, double step) {
   const double apart = step / kApart;
   std::vector<BlockedRegression> sides;
@@ -234,7 +233,7 @@ Fine refine_between(const Signals& first, const Signals& second, const Best& bes
   return fine;
 }
 
-/// `around`: s to either side of `near`, where it is looked for.
+/// `around`: s to either side of `near`, the search range.
 std::optional<Fine> refine(const Signals& first, const Signals& second, const Best& best, double near, double around,
                            double reach) {
   const double step = reach / static_cast<double>(2 * kReach);
@@ -277,14 +276,15 @@ std::string name_of(const Signals& first, const Signals& second, const Best& bes
 
 using Answer = std::variant<ClockAlignment, std::string>;
 
-/// Where the offset is, by windows of one reach.
+/// The offset with windows of one reach.
 struct Look {
   double reach = 0.0;
   SampledPair pair;
   Found found;
 };
 
-/// The window must be short against the motion and long against the noise of readings, so several are tried.
+/// The window must be short compared with the motion and long compared with the noise of readings, so several are
+/// tried.
 std::optional<Look> look_for_offset(const Signals& first, const Signals& second,
                                     const std::pair<double, double>& between, double shortest, double longest) {
   std::optional<Look> best;
@@ -298,7 +298,7 @@ std::optional<Look> look_for_offset(const Signals& first, const Signals& second,
   return best;
 }
 
-/// Stretches that are long against the windows tell offsets of their own.
+/// Blocks that are long compared with the windows give separate offsets.
 void take_stretches(const std::vector<Fine>& offsets, Fine& chosen) {
   for (const Fine& one : offsets) {
     if (one.offsets.size() <= chosen.offsets.size()) continue;
@@ -307,8 +307,8 @@ void take_stretches(const std::vector<Fine>& offsets, Fine& chosen) {
   }
 }
 
-/// Of offsets by shorter and shorter windows the first that is nearly as good as the best: noise of readings weighs
-/// less in longer ones. By how much others differ beyond their errors, this one may be off.
+/// Of offsets with shorter and shorter windows the first that is nearly as good as the best, because noise of readings
+/// matters less in longer ones. Differences from the others beyond their errors count as its error.
 std::optional<Fine> choose(const std::vector<Fine>& offsets) {
   double least = std::numeric_limits<double>::infinity();
   for (const Fine& one : offsets) least = std::min(least, one.error);
@@ -326,7 +326,7 @@ std::optional<Fine> choose(const std::vector<Fine>& offsets) {
   return std::nullopt;
 }
 
-/// By clocks of one speed; puts down in `fine` what each stretch says.
+/// With clocks of equal rate; writes the result of each block to `fine`.
 Answer align(const Signals& first, const Signals& second, const std::pair<double, double>& between, Fine& fine) {
   const double longer = std::max(end_of(first) - begin_of(first), end_of(second) - begin_of(second));
   const double interval = std::max(slowest_interval(first), slowest_interval(second));

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// A signal by the clock of the device that wrote it; finite, times ascending.
+/// A signal with time stamps of the device that recorded it; finite, times ascending.
 struct ClockedSignal {
   std::string name;
   std::string unit;           ///< SI
@@ -17,28 +17,28 @@ struct ClockedSignal {
   std::vector<double> values;
 };
 
-/// How two clocks are to each other: time of the first = t + offset + skew·(t − first time of the second).
+/// Relation of two clocks: time of the first = t + offset + skew·(t − first time of the second).
 struct ClockAlignment {
   double offset = 0.0, offset_error = 0.0;  ///< s, and its standard error
   double skew = 0.0, skew_error = 0.0;      ///< 1
-  std::string by;                           ///< the signal by which it was found
+  std::string by;                           ///< the signal that determined it
 };
 
 struct AlignmentTask {
-  std::pair<double, double> between;  ///< s, where the offset is looked for
+  std::pair<double, double> between;  ///< s, search range of the offset
   double skew = 0.0;                  ///< known, or a first guess
   bool finds_skew = false;
 };
 
-/// Finds how the clocks of two devices that watched the same motion are to each other, or says why not.
+/// Finds the relation of the clocks of two devices that recorded the same motion, or says why not.
 ///
-/// At the right offset, the signals of one device follow from the other's readings best: a command from position,
-/// velocity and acceleration (inverse dynamics), a reading from another of the same motion. Both are smoothed alike, so
-/// that smoothing shifts neither, and noise of readings is taken out of their products by every other reading against
-/// those between (blocked_regression.h). Of all signals the one that is explained best decides. Errors are those of a
-/// jackknife over sixteen stretches of time, or what windows of other lengths say, if that is more; an offset that is
-/// not distinctly better than another, as of a periodic motion, is refused. A delay of a drive or a sensor is part of
-/// what is found.
+/// At the right offset, the signals of one device follow best from the other's readings: a command from position,
+/// velocity and acceleration (inverse dynamics), a reading from another of the same motion. Both are smoothed in the
+/// same way, so that smoothing shifts neither. Noise of readings is removed from their products by using every other
+/// reading against those between (blocked_regression.h). The signal that is explained best decides. Errors are those of
+/// a jackknife over sixteen blocks of time, or the difference to windows of other lengths if that is larger; an offset
+/// that is not clearly better than another, as for a periodic motion, is refused. The offset includes any delay of a
+/// drive or a sensor.
 std::variant<ClockAlignment, std::string> align_clocks(const std::vector<ClockedSignal>& first,
                                                        const std::vector<ClockedSignal>& second,
                                                        const AlignmentTask& task);

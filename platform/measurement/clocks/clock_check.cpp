@@ -29,7 +29,7 @@ bool same_row(const CsvTable& table, std::size_t a, std::size_t b) {
 
 std::string seconds(double value) { return fmt::format("{:.9g} s", value); }
 
-/// Whether one mask range holds everything between two samples.
+/// Whether one mask range covers everything between two samples.
 bool is_masked(const RecordingSource& source, double from, double to) {
   return std::any_of(source.mask.begin(), source.mask.end(),
                      [&](const TimeRange& range) { return range.start <= from && to <= range.end; });
@@ -46,7 +46,7 @@ void begin_at_zero(TrialClock& piece) {
   for (double& time : piece.times) time -= first;
 }
 
-/// Rows of a joined table that are another file's have no line.
+/// Rows of a joined table that come from another file have no line.
 TrialClock rows_of_first_file(const TrialClock& clock, const CsvTable& table) {
   TrialClock own;
   own.origin = clock.origin;
@@ -69,7 +69,7 @@ void check_unit(double median, int line, const RecordingSource& source, FileRepo
   });
 }
 
-/// What to write if the clock itself starts again where it goes back to `after`.
+/// The encoding to write if the clock itself restarts where it goes back to `after`.
 std::string advice_on_period(const TrialClock& clock, double after, double seconds_per_unit) {
   const double usual = std::abs(median_interval(clock.times));
   const double period = period_of_step_back(clock.origin + clock.times.back(), after, usual);
@@ -78,7 +78,7 @@ std::string advice_on_period(const TrialClock& clock, double after, double secon
                      to_string(Encoding{EncodingKind::wraps, std::round(1e6 * period / seconds_per_unit) / 1e6}));
 }
 
-/// Files that are not text have rows, no lines.
+/// Files that are not text have rows instead of lines.
 std::string place_of(const CsvTable& table, std::size_t row) {
   return table.lines[row] > 0 ? fmt::format("line {}", table.lines[row]) : fmt::format("row {}", row + 1);
 }

@@ -12,17 +12,17 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLongestTick = 20.0;  ///< median intervals: a clock that starts again goes on that soon
+constexpr double kLongestTick = 20.0;  ///< median intervals: a clock that restarts continues within this time
 constexpr double kDay = 86400.0;       ///< s
 constexpr double kHour = 3600.0;
 
-/// Where a clock starts again: from `end` at `start`.
+/// A restart of a clock: from `end` to `start`.
 struct Wrap {
   double start = 0.0, end = 0.0;
   double modulus() const { return end - start; }
 };
 
-/// In the stamps' unit. Counters of milli- and microseconds may be written in other units.
+/// In the stamps' unit. Counters of milliseconds and microseconds may be written in other units.
 std::vector<Wrap> known_wraps(const CsvTable& table, double seconds_per_unit) {
   if (table.period > 0.0) {
     std::vector<Wrap> wraps = {{0.0, table.period}};
@@ -52,7 +52,7 @@ double median_step(const std::vector<double>& times) {
   return median_of(steps);
 }
 
-/// Whether all stamps lie between the ends of a wrap, and each step back is from near the one to near the other.
+/// Whether all stamps lie between the ends of a wrap, and each step back goes from near one end to near the other.
 bool explains(const Wrap& wrap, const CsvTable& table, double near) {
   const double rounding = 1e-9 * wrap.modulus();
   bool any = false;
@@ -73,7 +73,7 @@ std::optional<Wrap> wrap_of_clock(const CsvTable& table, double seconds_per_unit
   return std::nullopt;
 }
 
-/// A clock never goes back: each step back is one more turn, however long the pause.
+/// A clock never goes back: each step back is one more turn, however long the gap.
 void unwrap_clock(double modulus, std::vector<double>& times) {
   double turns = 0.0, before = times.empty() ? 0.0 : times.front();
   for (double& time : times) {

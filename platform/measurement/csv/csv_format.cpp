@@ -58,7 +58,7 @@ class Beginning {
 
   const std::vector<NumberedLine>& lines() const { return lines_; }
   char separator() const { return separator_; }
-  /// The last comment above the first line that is none.
+  /// The last comment before the first line that is not a comment.
   const NumberedLine& comment_above() const { return comment_above_; }
   std::string_view below(std::size_t index) const {
     return index + 1 < lines_.size() ? lines_[index + 1].text : std::string_view();
@@ -130,8 +130,8 @@ void note_latin1(std::string_view header, const CsvFormat& format, FileReport& r
   });
 }
 
-/// Three digits after a comma may be thousands as well, but not behind a lone zero; between commas, where only quoted
-/// cells can have one, thousands count for nothing.
+/// Three digits after a comma may be thousands, too, except behind a lone zero; in comma-separated files, where only
+/// quoted cells can contain a comma, this does not matter.
 bool shows_decimal_comma(std::string_view cell, char delimiter) {
   cell = trimmed(cell);
   const std::size_t comma = cell.find(',');
@@ -140,7 +140,7 @@ bool shows_decimal_comma(std::string_view cell, char delimiter) {
   return delimiter != ',' || cell.substr(comma + 1).size() != 3 || whole == "0" || whole == "-0";
 }
 
-/// Decimal commas where numbers have commas and none has a point.
+/// Decimal commas: numbers contain commas and none contains a point.
 bool has_decimal_commas(std::string_view text, const CsvFormat& format) {
   LineReader reader(text);
   CellSplitter splitter(format.delimiter);

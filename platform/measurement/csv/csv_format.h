@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// How a CSV file is written, and where its samples begin.
+/// The format of a CSV file, and the place of its first sample.
 struct CsvFormat {
   char delimiter = ',';  ///< ' ': runs of spaces and tabs
   bool decimal_comma = false;
@@ -18,16 +18,17 @@ struct CsvFormat {
   int first_line = 0;  ///< first line that may be a sample
 };
 
-/// What the experiment says about the format.
+/// Settings of the experiment for the format.
 struct CsvFormatHints {
-  std::string time_column;  ///< tells the header from lines above it; empty: the first line with text is the header
-  char delimiter = '\0';    ///< '\0': found out
+  std::string
+      time_column;  ///< identifies the header among the lines above it; empty: the first line with text is the header
+  char delimiter = '\0';  ///< '\0': found out
   bool decimal_comma = false;
 };
 
-/// Finds out how `text` is written: `sep=;` lines, comments (# or %), lines above the header, a
-/// header in the last comment, the delimiter (; tab comma | spaces), a row of units, decimal commas.
-/// Reports what cannot be read and what was not obvious; without a header the result has no names.
+/// Detects the format of `text`: `sep=;` lines, comments (# or %), lines above the header, a header in the last
+/// comment, the delimiter (; tab comma | spaces), a row of units, decimal commas. Reports what cannot be read and what
+/// was not obvious; without a header the result has no names.
 CsvFormat find_csv_format(std::string_view text, const CsvFormatHints& hints, FileReport& report);
 
 /// Whether a line is skipped: blank, or a comment.

@@ -17,7 +17,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::array kDelimiters = {';', '\t', ',', '|', ' '};
-constexpr std::size_t kRowsOfNumbers = 3;  ///< that follow each other where samples begin; fewer at a file's end
+constexpr std::size_t kRowsOfNumbers = 3;  ///< consecutive lines where samples begin; fewer at a file's end
 
 bool is_empty(const std::string& cell) { return cell.empty(); }
 
@@ -26,7 +26,7 @@ std::size_t count_without_empty_end(const std::vector<std::string>& cells) {
   return static_cast<std::size_t>(cells.rend() - last);
 }
 
-/// Whether cells are such as samples have: numbers, dates, nothing, and at most one text in three.
+/// Whether cells look like those of a sample: numbers, dates, empty, and at most one text in three.
 bool is_sample(const std::vector<std::string>& cells) {
   std::size_t numbers = 0, texts = 0;
   for (const std::string& cell : cells) {
@@ -43,12 +43,12 @@ bool has_no_number(const std::vector<std::string>& cells) {
                       [](const std::string& cell) { return is_number_in_any_notation(cell); });
 }
 
-/// Where the samples begin, and how wide they are.
+/// Line where the samples begin, and their number of cells.
 struct FirstSamples {
   std::size_t index = 0, width = 0, fewest = 0;  ///< `fewest`: cells without the empty ones at the end
 };
 
-/// The first lines in a row that are all samples of one width.
+/// The first consecutive lines that are all samples of one width.
 FirstSamples first_samples(const std::vector<std::vector<std::string>>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::size_t end = std::min(i + kRowsOfNumbers, cells.size());
@@ -63,14 +63,14 @@ FirstSamples first_samples(const std::vector<std::vector<std::string>>& cells) {
   return {};
 }
 
-/// How many names have words or units that are known.
+/// Number of names with known words or units.
 std::size_t known_names(const std::vector<std::string>& names) {
   return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), [](const std::string& name) {
     return role_in_words(words_of(name)) || !unit_in_name(name).empty();
   }));
 }
 
-/// Of the lines above the samples that are as wide as they are and no row of units, the one of which most is known, of
+/// Of the lines above the samples with the same width that are not a row of units, the one with most known names; of
 /// several the last. Nothing where there are no samples, or nothing above them can be a header.
 std::optional<std::size_t> header_above(const std::vector<std::vector<std::string>>& cells) {
   const FirstSamples samples = first_samples(cells);
@@ -87,7 +87,7 @@ std::optional<std::size_t> header_above(const std::vector<std::vector<std::strin
   return header;
 }
 
-/// Whether a column is so called, or is without the number of its run (csv_runs.h).
+/// Whether a column has this name, with or without the number of its run (csv_runs.h).
 bool names(const std::vector<std::string>& cells, const std::string& column) {
   return std::any_of(cells.begin(), cells.end(), [&](const std::string& cell) {
     return cell == column || (cell.size() > column.size() && name_and_run(cell).text == column);

@@ -22,12 +22,12 @@ std::vector<std::string> cells_of(std::string_view line, char delimiter);
 bool is_number_in_any_notation(std::string_view cell);
 
 /// Which of the first lines of a file holds the column names: the one above the first rows of numbers and above their
-/// units, as wide as they are; where that one does not name the time, the first that does. 0 where none is known.
-/// `lines`: neither blank nor comments.
+/// units, of the same width; where that one does not name the time, the first that does. 0 where there is none.
+/// `lines`: without blank lines and comments.
 std::size_t header_among(const std::vector<NumberedLine>& lines, const CsvFormatHints& hints);
 
-/// The units in a row below the header: no cell is a number, and most of those that are not empty are units; else
-/// nothing. Cells that are no units, such as "°C", give an empty text.
+/// The units in a row below the header: no cell is a number, and most cells that are not empty are units; else nothing.
+/// Cells that are not units, such as "°C", give an empty text.
 std::vector<std::string> units_in_row(const std::vector<std::string>& cells);
 
 }  // namespace lacuna

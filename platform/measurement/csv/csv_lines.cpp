@@ -41,7 +41,7 @@ void CellSplitter::split_at_runs(std::string_view line) {
 }
 
 CellSplitter::Result CellSplitter::split_with_quotes(std::string_view line) {
-  // Unquoting only shortens, so the buffer never grows while views into it are held.
+  // Unquoting only shortens the text, so the buffer never grows while views into it exist.
   unquoted_.clear();
   unquoted_.reserve(line.size() + 1);
   const auto is_delimiter = [&](char c) { return c == delimiter_ || (delimiter_ == ' ' && c == '\t'); };

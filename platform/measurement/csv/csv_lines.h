@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// Walks over the lines of a text, which must live longer than the walk.
+/// Iterates over the lines of a text, which must live longer.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}

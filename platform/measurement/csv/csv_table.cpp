@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// One pass over the rows. Kept apart from its result so that the per-column memory lives here.
+/// One pass over the rows. Separate from its result, so that the per-column memory is here.
 class TableReader {
  public:
   TableReader(const CsvFormat& format, const CsvQuery& query, FileReport& report)
@@ -59,8 +59,8 @@ class TableReader {
   }
 
  private:
-  /// Rows are about as long as the middle one; a little too much is given back at the end by nobody,
-  /// but growing by doubling would touch twice the memory.
+  /// Rows are about as long as the middle one. A little spare memory stays allocated, but growing by doubling would
+  /// touch twice the memory.
   void reserve(std::string_view text) {
     const std::size_t middle = text.size() / 2;
     const std::size_t start = text.find('\n', middle);
@@ -149,20 +149,20 @@ class TableReader {
     for (std::size_t i = 0; i < indices_.size(); ++i) table_.columns[i].push_back(value(i, cells[indices_[i]], number));
   }
 
-  /// Whether only other runs have something in a row.
+  /// Whether only other runs have values in a row.
   bool is_beyond_run(const std::vector<std::string_view>& cells) const {
     if (!query_.shared_clock && !trimmed(cells[time_index_]).empty()) return false;
     return std::all_of(indices_.begin(), indices_.end(),
                        [&](std::size_t index) { return trimmed(cells[index]).empty(); });
   }
 
-  /// The part of a second that a column of its own has; NaN where it is none.
+  /// The fraction of a second from its separate column; NaN where it is invalid.
   double fraction_of(const std::vector<std::string_view>& cells) const {
     const double seconds = read_number(cells[fraction_index_], format_.decimal_comma).value * query_.fraction_unit;
     return seconds >= 0.0 && seconds < 1.0 ? seconds : kNan;
   }
 
-  /// Adds parts of a second, if all are, to whole seconds.
+  /// Adds fractions of a second, if all are valid, to whole seconds.
   void add_fractions() {
     const auto is_whole = [](double time) { return time == std::round(time); };
     table_.has_fractions =

@@ -12,11 +12,12 @@ namespace lacuna {
 namespace {
 
 constexpr int kLinesAbove = 100;
-constexpr int kFewestDecimals = 5;   ///< numbers above, of which each has digits behind its decimal sign
-constexpr int kFewestIntegers = 20;  ///< numbers above without, which may have lost a digit by counting down
+constexpr int kFewestDecimals = 5;  ///< numbers above, each with digits after its decimal sign
+constexpr int kFewestIntegers =
+    20;  ///< numbers above without, because a number may have one digit fewer than the one before
 
 struct WrittenLength {
-  std::ptrdiff_t behind_sign = 0;  ///< characters, those of an exponent too
+  std::ptrdiff_t behind_sign = 0;  ///< characters, including those of an exponent
   std::ptrdiff_t digits = 0;
 };
 

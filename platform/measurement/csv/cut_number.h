@@ -6,8 +6,9 @@
 
 namespace lacuna {
 
-/// Whether the last line of a file, which no line end ends, breaks off in its last number: that has fewer digits than
-/// each number above it in the same column, of the last hundred lines. Whole lines without a line end look otherwise.
+/// Whether the last line of a file without a line end is cut within its last number: that number has fewer digits than
+/// each number above it in the same column, of the last hundred lines. Complete lines without a line end do not show
+/// this.
 bool ends_in_cut_number(std::string_view text, const CsvFormat& format);
 
 }  // namespace lacuna

@@ -10,18 +10,17 @@
 
 namespace lacuna {
 
-/// What was noticed while reading that is not an error: a documented correct reading, or a doubt.
+/// A finding while reading that is not an error: a documented correct reading, or a doubt.
 struct ReadingNote {
   SourceLocation location;
   std::string message;
-  bool doubt = false;  ///< what was read may not be what was meant, or not all of it
+  bool doubt = false;  ///< the data that were read may be wrong or incomplete
 };
 
-/// What is said about one measured file: problems, which make it unusable, notes, and doubts, the notes that every
-/// command repeats. Of complaints
-/// that are alike the first three are kept, the last of them with "and 312 more like it". Messages
-/// are given as functions, so that a file with a million bad cells does not format a million
-/// sentences. Belongs to one thread.
+/// Messages about one measured file: problems, which make it unusable, notes, and doubts, the notes that every command
+/// repeats. Of similar messages the first three are kept, the last of them with "and 312 more like it". Messages are
+/// passed as functions, so that a file with a million bad cells does not format a million sentences. Belongs to one
+/// thread.
 class FileReport {
  public:
   explicit FileReport(std::string file) : file_(std::move(file)) {}
@@ -29,7 +28,7 @@ class FileReport {
   const std::string& file() const { return file_; }
   bool has_problems() const { return !problems_.shown.empty(); }
 
-  /// `kind` tells which complaints are alike; `message` returns the sentence. Line 0: the whole file.
+  /// `kind` identifies similar messages; `message` returns the sentence. Line 0: the whole file.
   template <typename Message>
   void problem(const std::string& kind, int line, Message&& message) {
     say(problems_, kind, line, std::forward<Message>(message));
@@ -43,7 +42,7 @@ class FileReport {
     say(notes_, kind, line, std::forward<Message>(message), true);
   }
 
-  /// Hands over what was collected.
+  /// Returns the collected messages.
   void move_to(ProblemList& problems, std::vector<ReadingNote>& notes);
 
  private:
@@ -77,7 +76,7 @@ class FileReport {
   Collection notes_;
 };
 
-/// Text of a user's file as a message may show it: at most 40 characters, nothing unprintable.
+/// Text of a user's file for a message: at most 40 characters, nothing unprintable.
 std::string excerpt(std::string_view text);
 
 /// "`a`, `b`, `c` and 12 more" for a list of names.

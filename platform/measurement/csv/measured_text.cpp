@@ -34,7 +34,7 @@ std::string without_access(const std::filesystem::path& path) {
   return {};
 }
 
-/// Everything in the file, or a sentence about why it cannot be read.
+/// The content of the file, or a sentence about why it cannot be read.
 std::string read_bytes(const std::filesystem::path& path, std::string& complaint) {
   complaint = without_access(path);
   if (!complaint.empty()) return {};
@@ -82,7 +82,7 @@ constexpr BinaryFormat kBinaryFormats[] = {
     {"#ROSBAG"sv, "is a bag of ROS 1; convert it with rosbags-convert --src run.bag --dst run"},
 };
 
-/// What is said of a robot that was named for a recording; empty: it is none.
+/// Message for a robot file that was named as a recording; empty: it is not one.
 std::string robot_file_in(const std::string& bytes) {
   const std::string_view head = std::string_view(bytes).substr(0, 4096);
   const std::size_t start = head.find_first_not_of(" \t\r\n");

@@ -5,10 +5,10 @@
 
 namespace lacuna {
 
-/// A measured file as numbers, and what was noticed in it.
+/// A measured file as numbers, and the messages about it.
 struct ReadTable {
   FileReport report;
-  CsvTable table;  ///< of no meaning where the report has problems; a column that the file lacks is empty
+  CsvTable table;  ///< invalid where the report has problems; a missing column is empty
 };
 
 }  // namespace lacuna

@@ -18,9 +18,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kGoesTogether = 0.05;  // root mean square distance, of the span
+constexpr double kGoesTogether = 0.05;  // root mean square distance, as a share of the range
 
-/// What a unit says of a column.
+/// The role that a unit suggests.
 std::optional<ColumnRole> role_of_unit(const std::string& unit) {
   static const std::pair<std::string_view, ColumnRole> kRoles[] = {
       {"s", ColumnRole::time},      {"m", ColumnRole::position}, {"m/s", ColumnRole::velocity},
@@ -49,9 +49,9 @@ bool same_dimension_as(const std::string& unit, std::string_view other) {
   return a && b && a->same_dimension(*b);
 }
 
-/// The role by name and unit together: a unit counts for more, but does not make a reading of what is wanted, an error
-/// or a battery. A position or velocity in volts is a potentiometer's or a tachometer's; behind such a word A and N are
-/// no units but labels.
+/// The role from name and unit together: a unit counts more, but does not turn a setpoint, an error or a battery into a
+/// reading. A position or velocity in volts is a potentiometer's or a tachometer's; after such a word, A and N are
+/// labels, not units.
 ColumnRole role_of(const std::vector<std::string>& words, ColumnRole by_unit, GuessedColumn& column) {
   const std::optional<ColumnRole> by_words = role_in_words(words);
   if (by_words == ColumnRole::other) return ColumnRole::other;
@@ -99,7 +99,7 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index, const st
   return guess;
 }
 
-/// Of runs side by side the first is read.
+/// Of runs side by side the first is used.
 void leave_out_other_runs(const std::vector<CoreName>& cores, std::vector<GuessedColumn>& columns) {
   const auto first = std::find_if(cores.begin(), cores.end(), [](const CoreName& core) { return !core.run.empty(); });
   if (first == cores.end()) return;
@@ -111,8 +111,8 @@ void leave_out_other_runs(const std::vector<CoreName>& cores, std::vector<Guesse
   }
 }
 
-/// One time column: the first by name or unit that mostly rises (trials may follow each other); else the
-/// first column that always does.
+/// One time column: the first by name or unit that mostly increases (trials may follow each other); else the first
+/// column that always does.
 void settle_time(const FileSample& sample, std::vector<GuessedColumn>& columns) {
   GuessedColumn* time = nullptr;
   constexpr double kMostly = 0.8;
@@ -131,7 +131,7 @@ void settle_time(const FileSample& sample, std::vector<GuessedColumn>& columns) 
   if (time) time->role = ColumnRole::time;
 }
 
-/// How far two columns are apart against their span; large where one has no value.
+/// Distance of two columns relative to their range; large where one has no value.
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
   double squares = 0.0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -143,7 +143,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::isfinite(share) ? share : std::numeric_limits<double>::infinity();
 }
 
-/// Whether `b` lags behind `a`: a − b then goes with the slope of a.
+/// Whether `b` lags behind `a`: a − b is then correlated with the slope of a.
 bool lags(const std::vector<double>& a, const std::vector<double>& b) {
   double product = 0.0;
   for (std::size_t i = 1; i + 1 < a.size(); ++i) product += (a[i] - b[i]) * (a[i + 1] - a[i - 1]);
@@ -166,7 +166,7 @@ void settle_references(const FileSample& sample, std::vector<GuessedColumn>& col
     }
 }
 
-/// A voltage that hardly changes is a supply's, if something else may drive the rig.
+/// A voltage that hardly changes is a supply voltage, if another column may be the drive.
 void settle_supplies(const FileSample& sample, std::vector<GuessedColumn>& columns) {
   constexpr double kSteady = 0.2;  ///< span over mean
   const auto drives = [](const GuessedColumn& column) {

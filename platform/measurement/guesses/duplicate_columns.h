@@ -6,9 +6,8 @@
 
 namespace lacuna {
 
-/// Of columns that hold one quantity in several units (feet and metres, degrees and radians), leaves all but one out:
-/// what they say in SI units is the same, to half a percent of its span. Kept is the column in SI units, else the
-/// first.
+/// Of columns with one quantity in several units (feet and metres, degrees and radians), keeps one: their values in SI
+/// units agree to half a percent of the range. Keeps the column in SI units, else the first.
 void leave_out_duplicates(const FileSample& sample, std::vector<GuessedColumn>& columns);
 
 }  // namespace lacuna

@@ -24,7 +24,7 @@ void throw_problems(FileReport& report) {
   problems.throw_if_any();
 }
 
-/// A cell as a number; of a column of dates or times of day the time since its first one, s.
+/// A cell as a number; for a column of dates or times of day the time since its first one, s.
 class SampledColumn {
  public:
   NumberCell read(std::string_view text, bool decimal_comma) {
@@ -41,8 +41,8 @@ class SampledColumn {
   std::optional<std::int64_t> first_;  ///< s since 1970
 };
 
-/// Whole seconds and their parts in two columns are one time (clock_wraps.h): the first gets it, the second has nothing
-/// of its own.
+/// Whole seconds and their fractions in two columns are one time (clock_wraps.h), assigned to the first; the second
+/// gets none.
 void join_split_times(FileSample& sample) {
   for (std::size_t c = 0; c < sample.columns.size(); ++c) {
     const auto fraction = fraction_beside(sample.format.names[c], sample.format.names);
@@ -61,7 +61,7 @@ void join_split_times(FileSample& sample) {
   }
 }
 
-/// Rows behind the end of a run, where only longer ones have values, are left out.
+/// Rows after the end of a run, where only longer runs have values, are left out.
 void drop_rows_behind_end(FileSample& sample) {
   std::size_t rows = 0;
   for (const std::vector<double>& column : sample.columns)

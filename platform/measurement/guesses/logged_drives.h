@@ -10,9 +10,9 @@
 
 namespace lacuna {
 
-/// What a robot's joints were commanded in, by what was logged, where that is not what all of its actuators take:
-/// positions where goals for positions were logged and no torques, forces where these were logged and no goals. Nothing
-/// where the recordings do not tell. `robot`: with actuators of one kind.
+/// The kind of command of a robot's joints according to the recordings, where it differs from that of its actuators:
+/// positions where position setpoints were logged and no torques, forces where these were logged and no setpoints.
+/// Nothing where the recordings do not show it. `robot`: with actuators of one kind.
 std::optional<ActuatorKind> logged_drive(const FileSample& sample, const ColumnHints& hints, const RobotSpec& robot);
 
 }  // namespace lacuna

@@ -36,7 +36,7 @@ std::vector<TableQuery> queries_for(const RecordingContents& contents) {
   return queries;
 }
 
-/// A column's values at the times of another table: the last one before, as a command holds.
+/// A column's values at the times of another table: the last one before, like a held command.
 std::vector<double> held_at(const std::vector<double>& times, const std::vector<double>& own_times,
                             const std::vector<double>& values, double shift) {
   std::vector<double> held;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// The beginning of a file that one of the formats reads; of no meaning where the report has problems.
+/// The beginning of a file that one of the formats reads; invalid where the report has problems.
 FileSample sample_recording(const std::filesystem::path& path, const RecordingFormats& formats, FileReport& report);
 
 }  // namespace lacuna

@@ -17,10 +17,10 @@
 namespace lacuna {
 namespace {
 
-/// A sensor channel or an actuator that waits for a column.
+/// A sensor channel or an actuator without a column so far.
 struct OpenChannel {
   Channel channel;
-  ColumnRole role = ColumnRole::other;  ///< what a column for it is guessed to be
+  ColumnRole role = ColumnRole::other;  ///< expected role of a column for it
   bool is_actuator = false;
   bool is_servo = false;
   std::vector<std::string> words;  ///< of its name and its element's
@@ -89,7 +89,7 @@ bool fits(const OpenChannel& slot, const GuessedColumn& column) {
   return column.role == slot.role && (column.named_by_user || dimension == Dimension::unknown);
 }
 
-/// Of a drive: whether the column speaks of what it takes.
+/// For a drive: whether the words of the column name its kind of command.
 bool is_of_quantity(const OpenChannel& slot, const GuessedColumn& column) {
   if (!slot.is_actuator) return false;
   if (slot.is_servo) return column.role == ColumnRole::reference;
@@ -120,8 +120,8 @@ bool tells_apart(const OpenChannel& slot, const std::string& word, const std::ve
          });
 }
 
-/// How many words of the column's name the channel and its element have too; none where these are only numbers (lists
-/// count from 0, joints mostly from 1), or only words that all channels of its kind have.
+/// Number of words of the column's name that the channel or its element has, too; none where these are only numbers
+/// (lists count from 0, joints mostly from 1), or only words that all channels of its kind have.
 int shared_words(const OpenChannel& slot, const GuessedColumn& column, const std::vector<OpenChannel>& slots) {
   int shared = 0, numbers = 0;
   bool is_own = false;
@@ -134,15 +134,15 @@ int shared_words(const OpenChannel& slot, const GuessedColumn& column, const std
   return is_own || (numbers > 0 && numbers < shared) ? shared : 0;
 }
 
-/// Gives columns to slots; what has been given is no candidate any more.
+/// Gives columns to slots; columns and slots that are taken are no longer candidates.
 class Matching {
  public:
   Matching(std::vector<OpenChannel>& slots, const std::vector<GuessedColumn>& columns) : slots_(slots) {
     std::copy_if(columns.begin(), columns.end(), std::back_inserter(free_), is_for_robot);
   }
 
-  /// Joints that count from 1 and columns that count from 0, or the other way round: q0 and q1 of joint1 and joint2.
-  /// The names that are the same, q1 of q1, would cross them.
+  /// Joints that count from 1 and columns that count from 0, or the reverse: q0 and q1 for joint1 and joint2. Equal
+  /// names, q1 for q1, would cross them.
   void match_shifted_numbers() {
     for (const std::vector<std::size_t>& family : numbered_slots()) {
       std::map<int, std::size_t> slots;
@@ -172,7 +172,7 @@ class Matching {
     }
   }
 
-  /// Numbers that are all among those of the slots say which of them is meant: q1 and q3 of joint1 to joint3.
+  /// Numbers that all occur among those of the slots identify them: q1 and q3 for joint1 to joint3.
   void match_numbers() {
     for (const bool of_actuators : {false, true})
       for (std::size_t first = 0; first < slots_.size(); ++first) {
@@ -207,7 +207,7 @@ class Matching {
     }
   }
 
-  /// Those of the channel's unit where there are any, else those whose words speak of its quantity, else all that fit.
+  /// Those with the channel's unit if there are any, else those whose words name its quantity, else all possible ones.
   std::vector<std::size_t> candidates(const OpenChannel& slot) const {
     std::vector<std::size_t> fitting, of_quantity, of_unit;
     for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -229,7 +229,7 @@ class Matching {
     return std::ranges::all_of(columns, [&](const auto& one) { return slots.contains(one.first + shift); });
   }
 
-  /// Open slots of one kind that all have numbers, and different ones.
+  /// Open slots of one kind that all have different numbers.
   std::vector<std::vector<std::size_t>> numbered_slots() const {
     std::map<std::tuple<bool, ColumnRole, std::string>, std::vector<std::size_t>> kinds;
     for (std::size_t i = 0; i < slots_.size(); ++i)
@@ -244,7 +244,7 @@ class Matching {
     return numbered;
   }
 
-  /// Columns that may be for a slot, by their names without numbers.
+  /// Possible columns for a slot, by their names without numbers.
   std::map<std::vector<std::string>, NumberedColumns> numbered_columns(const OpenChannel& slot) const {
     std::map<std::vector<std::string>, NumberedColumns> families;
     for (const std::size_t i : candidates(slot)) {
@@ -268,7 +268,7 @@ class Matching {
     free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(index));
   }
 
-  /// As many columns as slots; those of which each has a number are in the order of these.
+  /// As many columns as slots; numbered columns are in the order of their numbers.
   void give_in_order(const std::vector<std::size_t>& peers, const std::vector<std::size_t>& columns) {
     std::vector<std::pair<int, GuessedColumn>> ordered;
     for (std::size_t i = 0; i < columns.size(); ++i) ordered.emplace_back(static_cast<int>(i), free_[columns[i]]);

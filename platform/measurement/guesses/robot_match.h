@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// A column with the sensor channel, or the actuator, that it is taken to be.
+/// A column with its sensor channel or actuator.
 struct MatchedColumn {
   Channel channel;
   GuessedColumn column;
@@ -20,7 +20,7 @@ struct MatchedColumn {
 struct UnmatchedChannel {
   Channel channel;
   bool is_actuator = false;
-  std::vector<std::string> candidates;  ///< columns that fit as well as each other; empty: none fits
+  std::vector<std::string> candidates;  ///< columns that fit equally well; empty: none fits
 };
 
 struct RobotMatch {
@@ -30,9 +30,9 @@ struct RobotMatch {
 };
 
 /// Matches columns with the sensor channels and the actuators of a robot: first those of one name, then those that
-/// share most words with the name of the channel or of its joint, then those that are the only ones of their unit or
-/// as many as the channels of that unit. What is ambiguous stays unmatched. A unit of another dimension rules a sensor
-/// out; an actuator takes any command, for a gain may convert it.
+/// share most words with the name of the channel or of its joint, then those that are the only ones of their unit or as
+/// many as the channels of that unit. Ambiguous ones stay unmatched. A unit of another dimension excludes a sensor; an
+/// actuator takes any command, because a gain may convert it.
 RobotMatch match_robot(const RobotSpec& robot, const std::vector<GuessedColumn>& columns);
 
 }  // namespace lacuna

@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t kFewestPoints = 20;
 constexpr double kLargestScatter = 0.02;  ///< of the radius
 constexpr double kSmallestArc = 0.1;      ///< rad, of a point that goes to and fro
-constexpr double kWholeWay = 5.0;         ///< rad, of one that need not come back
+constexpr double kWholeWay = 5.0;         ///< rad, of a point that need not return
 constexpr int kFewestReturns = 2;         ///< a thrown ball has one at most
-constexpr double kStepBack = 0.25;        ///< of the arc, that makes a return of a change of direction
+constexpr double kStepBack = 0.25;        ///< of the arc: the least return after a change of direction
 
 struct Points {
   Eigen::VectorXd x, y;  ///< m
@@ -41,7 +41,7 @@ Points points_of(const std::vector<double>& x, const std::vector<double>& y, dou
   return {Eigen::Map<Eigen::VectorXd>(kept_x.data(), size), Eigen::Map<Eigen::VectorXd>(kept_y.data(), size)};
 }
 
-/// The circle of least squares: by its equation, which is linear, then by distances.
+/// The least-squares circle: first by its equation, which is linear, then by distances.
 Circle circle_through(const Points& points) {
   const double x0 = points.x.mean(), y0 = points.y.mean();
   const Eigen::ArrayXd x = points.x.array() - x0, y = points.y.array() - y0;
@@ -94,7 +94,7 @@ int count_returns(const std::vector<double>& angles, double enough) {
   return returns;
 }
 
-/// Whether a point moves as one on a hinged body does.
+/// Whether a point moves like one on a hinged body.
 std::optional<Circle> hinged_circle(const Points& points) {
   if (static_cast<std::size_t>(points.x.size()) < kFewestPoints) return std::nullopt;
   const Circle circle = circle_through(points);
@@ -104,7 +104,7 @@ std::optional<Circle> hinged_circle(const Points& points) {
   const double arc = *highest - *lowest;
   const bool comes_back = arc > kSmallestArc && count_returns(angles, kStepBack * arc) >= kFewestReturns;
   if (!comes_back && arc < kWholeWay) return std::nullopt;
-  // On a straight line the scatter is small against the radius, too, but not against the arc's height.
+  // On a straight line the scatter is small compared with the radius, too, but not with the arc's height.
   const double height = circle.radius * (1.0 - std::cos(std::min(0.5 * arc, M_PI)));
   return circle.scatter < 0.25 * height ? std::optional(circle) : std::nullopt;
 }
@@ -129,7 +129,7 @@ bool has_all(const std::vector<std::string>& words, const std::vector<std::strin
                              [&](const std::string& word) { return std::ranges::find(words, word) != words.end(); });
 }
 
-/// Components of the point's velocity are none of the joint's.
+/// Components of the point's velocity are not the joint's velocity.
 void leave_out_velocities(const std::vector<std::string>& rest, std::vector<GuessedColumn>& columns) {
   for (GuessedColumn& column : columns) {
     if (column.role != ColumnRole::velocity) continue;

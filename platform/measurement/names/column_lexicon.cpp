@@ -166,14 +166,14 @@ const Lexicon& lexicon() {
   return kLexicon;
 }
 
-/// German nouns that a compound of any first word may end in.
+/// German nouns that end compounds with any first word.
 constexpr std::array<std::string_view, 10> kHeads = {"winkel", "strom",    "moment",   "spannung",   "geschwindigkeit",
                                                      "kraft",  "stellung", "drehzahl", "auslenkung", "position"};
 constexpr std::size_t kShortestPart = 3;
 
 bool is_coordinate(std::string_view word) { return kind_of_word(word) == WordKind::position; }
 
-/// The letter that a character in UTF-8 is written as, and its size in bytes.
+/// The plain letter for a character in UTF-8, and its size in bytes.
 struct Folded {
   std::string_view character, letters;
 };

@@ -134,7 +134,7 @@ NameAndUnit split_at_word(std::string_view name) {
     if (at == name.npos || at == 0) continue;
     const std::string_view below = trimmed(name.substr(at + between.size()));
     const bool after_space = between == " ", is_path = name.find('/') < at && between == "/";
-    // A letter behind a space is as likely a label, motor A; so is the end of a path, /arm/m.
+    // A letter after a space is as likely a label, motor A; so is the end of a path, /arm/m.
     if (!unmistakable(below) || is_path || (after_space && below.size() < 2 && below != "s")) continue;
     if (std::string unit = known_unit(below); !unit.empty())
       return {std::string(trimmed(name.substr(0, at))), std::move(unit)};
@@ -153,7 +153,7 @@ NameAndUnit split_at_capital(std::string_view name) {
   return {std::string(name), ""};
 }
 
-/// People write Nm as nm: torques in nanometres there are none.
+/// Many write Nm as nm; torques in nanometres do not exist.
 void make_torque(NameAndUnit& split) {
   if (split.unit != "nm") return;
   std::string lower;

@@ -5,8 +5,8 @@
 
 namespace lacuna {
 
-/// A unit as people write it in tables, in the notation of foundation/unit.h: `[Nm]` → `N*m`,
-/// `m/s²` → `m/s^2`, `sec` → `s`, `°` → `deg`. Empty if it is not a unit.
+/// A unit as written in tables, in the notation of foundation/unit.h: `[Nm]` → `N*m`, `m/s²` → `m/s^2`, `sec` → `s`,
+/// `°` → `deg`. Empty if it is not a unit.
 std::string unit_of_cell(std::string_view cell);
 
 /// The unit in a column's name, `angle [deg]`, `torque (Nm) filtered`, `theta_rad`, `theta_dot_rad_s`, `acc_m_s2`,

@@ -23,7 +23,7 @@ bool starts_word(CharacterKind before, CharacterKind now) {
   return !(before == CharacterKind::upper && now == CharacterKind::lower);  // "Angle" is one word
 }
 
-/// Which kinds of words there are. A letter says less than a word.
+/// The kinds of words that occur. A letter counts less than a word.
 class KindsOfWords {
  public:
   explicit KindsOfWords(const std::vector<std::string>& words) : words_(words) {}
@@ -31,7 +31,7 @@ class KindsOfWords {
   bool have(WordKind kind) const { return strong(kind) || weak(kind); }
   bool strong(WordKind kind) const { return any(kind, false); }
   bool weak(WordKind kind) const { return any(kind, true); }
-  /// Whether they number trials and say nothing else.
+  /// Whether they only number trials.
   bool number_trials() const {
     return have(WordKind::trial) && std::all_of(words_.begin(), words_.end(), [](const std::string& word) {
              const std::optional<WordKind> kind = kind_of_word(word);
@@ -49,7 +49,7 @@ class KindsOfWords {
   const std::vector<std::string>& words_;
 };
 
-/// The quantity that is spoken of: a command, a velocity, a position or a time.
+/// The quantity: a command, a velocity, a position or a time.
 std::optional<ColumnRole> quantity_in(const KindsOfWords& words) {
   const bool moves = words.strong(WordKind::velocity) || words.strong(WordKind::position);
   if (words.strong(WordKind::effort) || words.strong(WordKind::voltage) || (!moves && words.strong(WordKind::current)))

@@ -28,7 +28,7 @@ std::string_view without_ends(std::string_view text) {
   return text;
 }
 
-/// Where "Run #1" begins at the end of a lower-case name, brackets around it included; npos: nowhere.
+/// Where "Run #1" begins at the end of a lower-case name, including brackets around it; npos: nowhere.
 std::size_t run_at_end(std::string_view name) {
   std::string_view rest = name;
   const bool bracketed = rest.ends_with(')') || rest.ends_with(']');
@@ -46,7 +46,7 @@ std::size_t run_at_end(std::string_view name) {
   return name.npos;
 }
 
-/// Where a lower-case name goes on behind "Run 1: ", or "Latest: " as Logger Pro calls the newest one; 0: it does not
+/// Where a lower-case name continues after "Run 1: ", or "Latest: " as Logger Pro calls the newest one; 0: it does not
 /// begin so.
 std::size_t run_at_start(std::string_view name) {
   for (const std::string_view word : kRunWords) {
@@ -81,14 +81,14 @@ bool says_as_much(const std::string& shorter, const std::string& longer) {
          (!before.role || before.role == ColumnRole::trial || now.role == before.role);
 }
 
-/// Whether a name says that it is the time and nothing else.
+/// Whether a name means only the time.
 bool is_bare_time(const std::string& name) {
   const std::vector<std::string> words = words_of(name);
   return !words.empty() && std::all_of(words.begin(), words.end(),
                                        [](const std::string& word) { return kind_of_word(word) == WordKind::time; });
 }
 
-/// How many characters all names begin with, up to the end of a separator.
+/// Number of characters with which all names begin, up to the end of a separator.
 std::size_t shared_beginning(const std::vector<std::string>& names) {
   std::string_view shared = names.front();
   for (const std::string_view name : names) {
@@ -105,7 +105,7 @@ std::string reversed(std::string text) {
   return text;
 }
 
-/// Takes what `count` of them says off all names, if none says less without it.
+/// Removes words shared by `count` of the names, if no name loses information.
 void shorten(std::vector<std::string>& names, const std::vector<std::size_t>& which, std::size_t count, bool at_end) {
   if (count == 0) return;
   std::vector<std::string> shorter = names;

@@ -8,8 +8,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kBelowZero = -0.05;  ///< of a target's variance: more explained than there is
-constexpr double kRidge = 1e-10;      ///< of a regressor's own product: alike regressors share their part
+constexpr double kBelowZero = -0.05;  ///< of a target's variance: the most by which the explained part may exceed it
+constexpr double kRidge = 1e-10;      ///< of a regressor's own product: similar regressors share their influence
 
 }  // namespace
 
@@ -19,7 +19,7 @@ BlockedRegression::BlockedRegression(Eigen::Index regressors, Eigen::Index targe
       total_(Eigen::MatrixXd::Zero(regressors + targets, regressors + targets)) {}
 
 void BlockedRegression::add(std::size_t block, const Eigen::VectorXd& row, const Eigen::VectorXd& again) {
-  // Plain loops: Eigen's products of vectors this short cost more, and a hundred times more in a build for debugging.
+  // Plain loops: Eigen's products of such short vectors cost more, and a hundred times more in a debug build.
   const Eigen::Index n = row.size();
   double* of_block = products_[block].data();
   double* of_all = total_.data();

@@ -11,7 +11,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kFewestEvents = 5;
-constexpr double kFewestRows = 4.0;       ///< usual, from event to event
+constexpr double kFewestRows = 4.0;       ///< usual number of rows from event to event
 constexpr double kOfOneCount = 0.98;      ///< of the changes
 constexpr double kPrinted = 0.01;         ///< of a count
 constexpr double kMostTurnsRound = 0.25;  ///< of the changes; a switch goes to and fro
@@ -49,8 +49,8 @@ bool counts_on(const std::vector<CountStep>& steps, const KnownReadings& known, 
          *highest - *lowest > (static_cast<double>(kFewestCountedLevels) - 1.5) * count;
 }
 
-/// How fast the motion is at an event: a count in the time to the nearer event beside it, if that goes the same way.
-/// After turning round it comes back over the place where it was, and nothing is known but that it is slow.
+/// Speed at an event: one count in the time to the nearer neighbouring event, if that has the same direction. After a
+/// reversal the motion passes the same place again, and only an upper limit is known.
 double speed_at(const std::vector<CountStep>& steps, std::size_t i, std::span<const double> times, double count) {
   double longest = std::numeric_limits<double>::infinity();
   const auto look = [&](std::size_t other) {
@@ -78,7 +78,7 @@ EventCounter find_events(std::span<const double> times, std::span<const double> 
   if (counter.rows_between < kFewestRows) return {};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto& [row, before, change] = steps[i];
-    // Upwards the event is at the new count, downwards at the one that is left.
+    // Upwards the event is at the new count, downwards at the old one.
     const double at_event = std::max(values[row], values[before]);
     const double since = speed_at(steps, i, times, counter.count) * (times[row] - times[before]);
     counter.events.push_back({row, at_event + std::copysign(0.5 * since, change), since / std::sqrt(12.0)});

@@ -11,26 +11,26 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kLongest = 3;        ///< readings in a row
-constexpr std::size_t kLongestDetour = 6;  ///< readings in a row, beside other glitches
-constexpr double kFar = 8.0;               ///< times how far usual readings are off the course
-constexpr double kUsualShare = 0.99;       ///< quantile of what usual readings are off
+constexpr std::size_t kLongest = 3;        ///< consecutive readings
+constexpr std::size_t kLongestDetour = 6;  ///< consecutive readings, beside other glitches
+constexpr double kFar = 8.0;               ///< times the distance of usual readings from the series
+constexpr double kUsualShare = 0.99;       ///< quantile of the distance of usual readings
 constexpr double kBeside = 4.0;            ///< times the changes next to it
-constexpr double kBack = 0.25;             ///< of the departure: how far the signal may go on in the meantime
-constexpr double kAccidents = 0.005;       ///< of all readings; more are told from pulses
-constexpr double kAlike = 0.1;             ///< of the departure: by how much readings of one glitch differ
-constexpr double kSuspicious = 32.0;       ///< times the usual bend: what a detour must be longer
-constexpr std::size_t kFewPulses = 4;      ///< as few are no pulses
+constexpr double kBack = 0.25;             ///< of the departure: the most that the signal may change meanwhile
+constexpr double kAccidents = 0.005;       ///< of all readings; with more, pulses are distinguished
+constexpr double kAlike = 0.1;             ///< of the departure: the most by which readings of one glitch differ
+constexpr double kSuspicious = 32.0;       ///< times the usual bend: the least length of a detour
+constexpr std::size_t kFewPulses = 4;      ///< with fewer they are not pulses
 constexpr std::size_t kFewestValues = 50;
-constexpr std::size_t kOthers = 5;  ///< glitches of one reading, beside which several in a row need not be alike
+constexpr std::size_t kOthers = 5;  ///< glitches of one reading, beside which longer ones need not have equal readings
 
 /// Some readings in a row.
 struct Run {
   std::size_t first = 0, length = 0;
 };
 
-/// The runs without which the rest goes the shortest way, where each reading left out counts as much as a way of
-/// `price`: by dynamic programming.
+/// The runs without which the rest has the shortest path, where each reading left out counts as a path of `price`: by
+/// dynamic programming.
 std::vector<Run> detours(const std::vector<double>& v, double price) {
   std::vector<double> costs(v.size(), 0.0);
   std::vector<std::size_t> left_out(v.size(), 0);  // before each reading
@@ -60,14 +60,14 @@ class Signal {
     usual_ = std::max(course_.roughness(kUsualShare), quantum);
   }
 
-  /// How far a run is from the signal, its closest reading.
+  /// Distance of a run from the signal, of its closest reading.
   double size_of(const Run& run) const {
     double size = course_.outside(run.first);
     for (std::size_t i = 1; i < run.length; ++i) size = std::min(size, course_.outside(run.first + i));
     return size;
   }
 
-  /// Whether a run comes back to where the signal goes on as it does next to it.
+  /// Whether the signal after a run continues as before it.
   bool is_left_by(const Run& run) const {
     const double size = size_of(run);
     const auto& kept = course_.members();
@@ -77,7 +77,7 @@ class Signal {
     return change(after) < kBack * size && kBeside * std::max(change(after - 1), change(after + 1)) < size;
   }
 
-  /// Whether the readings of a run are alike, which those of a motion are not.
+  /// Whether the readings of a run are equal, unlike those of a motion.
   bool is_flat(const Run& run) const {
     for (std::size_t i = 1; i < run.length; ++i)
       if (std::abs(values_[run.first + i] - values_[run.first + i - 1]) > std::max(usual_, kAlike * size_of(run)))
@@ -103,8 +103,8 @@ class Signal {
   double usual_ = 0.0;
 };
 
-/// The runs that are glitches. Those that are no farther than others are off the signal are put back into it, which
-/// makes it rougher, until none is; so are those that do not come back, if they are as many as the others.
+/// The runs that are glitches. Those that are no further from the signal than other readings are put back into it,
+/// which makes it rougher, until none is; so are those without a return, if they are as many as the others.
 std::vector<Run> glitches_among(std::vector<Run> runs, const std::vector<double>& times,
                                 const std::vector<double>& values, double quantum) {
   while (true) {

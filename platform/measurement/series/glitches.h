@@ -6,14 +6,14 @@
 
 namespace lacuna {
 
-/// Readings that leave the signal and come back to where it went on, up to three in a row, by far more than it changes
-/// there and than the others are off its course. Impacts, steps, kicks and the largest swings are none: they do not
-/// come back at once, or are no farther than what surrounds them. The measures are those of the other readings alone,
-/// so that up to a third may be glitches.
+/// Readings that leave the signal and return to its course, up to three in a row, by far more than it changes there and
+/// than the other readings scatter. Impacts, steps, kicks and the largest swings are not glitches: they do not return
+/// at once, or are no further away than their surroundings. All measures come from the other readings alone, so up to a
+/// third may be glitches.
 struct Glitches {
   std::vector<std::size_t> readings;  ///< indices of the column, ascending
   std::size_t of = 0;                 ///< readings in all
-  bool may_be_motion = false;         ///< so many that start and end at one level, as pulses of a joint that rests do
+  bool may_be_motion = false;         ///< so many that start and end at one level, like pulses of a joint at rest
 };
 
 /// `times` ascend; NaN among `column`: missing.

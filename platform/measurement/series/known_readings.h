@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// The readings of a column that are there, in order of time.
+/// The known readings of a column, in order of time.
 struct KnownReadings {
   std::vector<double> values;
   std::vector<std::size_t> places;  ///< of each in the column

@@ -7,11 +7,11 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kFewestGaps = 4;  // a square wave between two or three levels is no grid
+constexpr std::size_t kFewestGaps = 4;  // with fewer levels, such as a square wave, there is no grid
 constexpr double kTolerance = 0.1;      // of a step, between two neighbouring values
 constexpr double kNegligible = 1e-3;    // of the median gap: printing noise
 constexpr double kShareOnGrid = 0.98;
-constexpr std::size_t kMostValues = 200000;  // more say nothing new
+constexpr std::size_t kMostValues = 200000;  // more add no information
 
 /// Gaps between neighbouring distinct values, ascending.
 std::vector<double> sorted_gaps(std::span<const double> values) {
@@ -27,7 +27,7 @@ std::vector<double> sorted_gaps(std::span<const double> values) {
   return gaps;
 }
 
-/// The step that fits best near a candidate, or 0 where the gaps are no multiples of it.
+/// The step that fits best near a candidate, or 0 where the gaps are not multiples of it.
 double fitted_step(const std::vector<double>& gaps, double candidate) {
   std::size_t on_grid = 0;
   double gap_steps = 0.0, steps_squared = 0.0;
@@ -50,8 +50,8 @@ double quantisation_step(std::span<const double> values) {
   const double smallest = kNegligible * gaps[gaps.size() / 2];
   gaps.erase(gaps.begin(), std::lower_bound(gaps.begin(), gaps.end(), smallest));
   if (gaps.size() < kFewestGaps) return 0.0;
-  // Most neighbours are one step apart when the grid is well filled; a sparse one may hold
-  // multiples only, so halves and thirds of the smallest gap are tried as well.
+  // In a well-filled grid most neighbours are one step apart; a sparse one may hold multiples only, so halves and
+  // thirds of the smallest gap are tried, too.
   for (const double divisor : {1.0, 2.0, 3.0})
     if (const double step = fitted_step(gaps, gaps[gaps.size() / 50] / divisor); step > 0.0) return step;
   return 0.0;

@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kFewestChanges = 20;
-constexpr double kEven = 0.9;     ///< of the intervals between changes that are the usual one, or one more or less
+constexpr double kEven = 0.9;     ///< of the intervals between changes that are the usual one, or differ from it by one
 constexpr double kLarge = 0.5;    ///< of the changes that are more than one step of a quantiser
 constexpr double kOneStep = 1.5;  ///< smallest changes
 
@@ -55,7 +55,7 @@ Repeats find_repeats(std::span<const double> all) {
   for (std::size_t i = 0, next = 0; i < values.size(); ++i) {
     const bool changed = next < changes.places.size() && changes.places[next] == i;
     if (changed) ++next;
-    // A sensor that reads the same again, as at rest, is not told from one that repeats: its next turn counts.
+    // A sensor that reads the same value again, as at rest, looks like one that repeats: its next regular time counts.
     if (changed || i == 0 || i - since > usual)
       since = i;
     else

@@ -6,14 +6,15 @@
 
 namespace lacuna {
 
-/// A sensor that is slower than the log, which repeats its reading until there is another one.
+/// A sensor that is slower than the log, which repeats each reading until the next one.
 struct Repeats {
-  std::size_t every = 0;              ///< readings of the log, the usual number between two of the sensor; 0: none
-  std::vector<std::size_t> repeated;  ///< indices of what only repeats
+  std::size_t every =
+      0;  ///< readings of the log, usual number per reading of the sensor; 0: the sensor does not repeat
+  std::vector<std::size_t> repeated;  ///< indices of repetitions
 };
 
-/// Found where the values change every other reading at most, at even intervals, and by more than a quantiser's steps,
-/// which a slow motion stays on, too. `values`: in order of time; NaN: missing.
+/// Found where the values change at most at every other reading, at even intervals, and by more than a quantiser's
+/// steps, which a slow motion shows, too. `values`: in order of time; NaN: missing.
 Repeats find_repeats(std::span<const double> values);
 
 }  // namespace lacuna

@@ -15,21 +15,21 @@ namespace {
 constexpr std::size_t kFewestForTwo = 50;
 constexpr std::size_t kFewestOfStream = 8;
 constexpr double kLeastShare = 0.03;     ///< of the readings; fewer are glitches
-constexpr double kSureShare = 0.35;      ///< of the readings, at most: the rest are the channel's
-constexpr std::size_t kLongestTurn = 3;  ///< readings of the smaller course in a row
-constexpr double kInTurns = 0.9;         ///< of its readings that are in such turns
-constexpr double kCoursesApart = 8.0;    ///< usual distance of the courses over the roughness of the channel's
-constexpr double kUsualRoughness = 0.9;  ///< quantile of the distances from the course that are its roughness
-constexpr double kMoves = 5.0;           ///< deviation of a course that moves, over its roughness
-constexpr double kSmooth = 0.25;         ///< roughness of the other course, over the distance
-constexpr double kOwnCourse = 0.4;       ///< deviation of the distance, over that of the courses
-constexpr double kMirrored = 0.8;        ///< correlation of courses that are the two sides of one vibration
-constexpr double kConstant = 0.8;        ///< of a course's readings that have one value: it is constant
-constexpr double kSeldom = 20.0;         ///< usual bends: by so much noise leaves its neighbours seldom
-constexpr double kPrice = 12.0;          ///< usual bends: of a reading that is said to be another course's
+constexpr double kSureShare = 0.35;      ///< of the readings, at most: the others are the channel's
+constexpr std::size_t kLongestTurn = 3;  ///< consecutive readings of the smaller series
+constexpr double kInTurns = 0.9;         ///< of its readings that are in such groups
+constexpr double kCoursesApart = 8.0;    ///< usual distance of the two series over the roughness of the channel's
+constexpr double kUsualRoughness = 0.9;  ///< quantile of the distances from the series, used as its roughness
+constexpr double kMoves = 5.0;           ///< deviation of a series that moves, over its roughness
+constexpr double kSmooth = 0.25;         ///< roughness of the other series, over the distance
+constexpr double kOwnCourse = 0.4;       ///< deviation of the distance, over that of the series
+constexpr double kMirrored = 0.8;        ///< correlation of series that are the two sides of one vibration
+constexpr double kConstant = 0.8;        ///< of a series' readings with one value: it is constant
+constexpr double kSeldom = 20.0;         ///< usual bends: noise rarely leaves its neighbours by as much
+constexpr double kPrice = 12.0;          ///< usual bends: of a reading that is assigned to the other series
 constexpr int kRefinements = 4;
 
-/// The readings of a channel that are there.
+/// The known readings of a channel.
 struct Readings {
   std::vector<double> times, values;
   std::vector<std::size_t> places;
@@ -54,7 +54,7 @@ TwoCourses courses_of(const Readings& readings, const std::vector<bool>& of_othe
           Course(readings.times, readings.values, std::move(other))};
 }
 
-/// Whether so many readings leave both neighbours by far that a search for a second course is worth its time.
+/// Whether enough readings leave both neighbours by far to make a search for a second series worth its time.
 bool may_have_two(const std::vector<double>& v, double bend) {
   std::size_t leaving = 0;
   for (std::size_t i = 1; i + 1 < v.size(); ++i) {
@@ -65,7 +65,7 @@ bool may_have_two(const std::vector<double>& v, double bend) {
          std::max<double>(kFewestOfStream, 0.5 * kLeastShare * static_cast<double>(v.size()));
 }
 
-/// Each reading to the course that it is closer to.
+/// Each reading to the closer series.
 void refine(const Readings& readings, std::vector<bool>& of_other) {
   for (int round = 0; round < kRefinements; ++round) {
     const auto [channel, other] = courses_of(readings, of_other);
@@ -81,7 +81,7 @@ void refine(const Readings& readings, std::vector<bool>& of_other) {
   }
 }
 
-/// The value that most of a course's readings have.
+/// The most frequent value of a series.
 std::optional<double> constant_of(const Course& course, const std::vector<double>& values) {
   std::map<double, std::size_t> counts;
   for (const std::size_t member : course.members()) ++counts[values[member]];
@@ -90,7 +90,7 @@ std::optional<double> constant_of(const Course& course, const std::vector<double
   return std::nullopt;
 }
 
-/// Length of each reading's turn: of readings in a row that are alike in `is_one`.
+/// Length of each reading's group of consecutive readings that are equal in `is_one`.
 std::vector<std::size_t> turns_of(const std::vector<bool>& is_one) {
   std::vector<std::size_t> lengths(is_one.size());
   for (std::size_t i = 0, end = 0; i < is_one.size(); i = end) {
@@ -101,7 +101,7 @@ std::vector<std::size_t> turns_of(const std::vector<bool>& is_one) {
   return lengths;
 }
 
-/// All readings of exactly that value, but where the channel rests there.
+/// All readings with exactly that value, unless the channel rests there.
 std::vector<bool> readings_of_value(const std::vector<double>& values, double value) {
   std::vector<bool> is_value;
   for (const double one : values) is_value.push_back(one == value);
@@ -118,7 +118,7 @@ bool comes_in_turns(const Course& course, const std::vector<bool>& of_other) {
   return static_cast<double>(in_short) >= kInTurns * static_cast<double>(course.members().size());
 }
 
-/// Distance of the other course's readings from what the channel's span: the usual one, or of a constant course, at
+/// Distance of the other series' readings from the range of the channel's: the usual one, or for a constant series, at
 /// which the channel may rest, that of a quarter.
 double distance_of(const TwoCourses& two, bool constant) {
   std::vector<double> distances;
@@ -127,7 +127,7 @@ double distance_of(const TwoCourses& two, bool constant) {
   return quantile_of(distances, constant ? 0.75 : 0.5);
 }
 
-/// Whether the other course follows the channel's at a distance, or mirrors it.
+/// Whether the other series follows the channel's at a distance, or mirrors it.
 bool is_related(const TwoCourses& two, const std::vector<double>& values, bool even) {
   double n = 0.0, a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
   for (const std::size_t i : two.other.members()) {
@@ -151,7 +151,7 @@ bool is_apart(const TwoCourses& two, const std::vector<double>& values, bool con
          kCoursesApart * std::max(two.channel.roughness(kUsualRoughness), smallest_change(values));
 }
 
-/// Whether the second course of a division is another one beside the first, which is a channel's.
+/// Whether the second series of a division differs from the first, which is a channel's.
 bool is_second(const Readings& readings, const std::vector<bool>& of_other, const std::optional<double>& constant) {
   const TwoCourses two = courses_of(readings, of_other);
   const double share = static_cast<double>(two.other.members().size()) / static_cast<double>(readings.size());

@@ -47,14 +47,14 @@ Pace pace_of(const std::vector<double>& values) {
   return {quantum, std::max(0.5 * *middle, 1.5 * quantum)};
 }
 
-/// Whether a turn so quick and so long would have gone well beyond the limit: a slow turn on a grid stays at its last
-/// value too. `in`, `out`: changes over the two samples before and after; a parabola through them is meant.
+/// Whether a turn so fast and so long would have gone well beyond the limit: a slow turn on a grid stays at its last
+/// value, too. `in`, `out`: changes over the two samples before and after; a parabola is put through them.
 bool goes_beyond(double in, double out, std::size_t samples, const Pace& pace) {
   const double speed = 0.25 * (in + out);  // a sample
   return 0.25 * speed * static_cast<double>(samples) > kDeep * pace.quantum;
 }
 
-/// Runs of one value that were entered and left in full motion.
+/// Runs of one value that were entered and left at full speed.
 struct Stays {
   std::size_t samples = 0, runs = 0;
 };
@@ -74,7 +74,7 @@ AllStays stays_of(const std::vector<double>& values, const SignalShape& shape, c
     const double out = end + 1 < values.size() ? std::abs(values[end + 1] - value) : in;
     if (end - i < kClippedRun || std::min(in, out) < pace.motion || !goes_beyond(in, out, end - i, pace)) continue;
     Stays& where = value == shape.lowest ? stays.lowest : value == shape.highest ? stays.highest : stays.elsewhere;
-    if (end == values.size() && where.runs == 0) continue;  // a fall that ended, or a stop: nothing was left in motion
+    if (end == values.size() && where.runs == 0) continue;  // a fall that ended, or a stop: there is no motion after it
     where.samples += end - i;
     ++where.runs;
   }

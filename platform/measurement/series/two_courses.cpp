@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kLongestAbsence = 24;  ///< readings of the other course in a row that are told apart
+constexpr std::size_t kLongestAbsence = 24;  ///< consecutive readings of the other series that are distinguished
 
 /// The last two readings of a course.
 struct CourseHead {
@@ -31,7 +31,7 @@ struct CourseHead {
   }
 };
 
-/// The best division of the readings so far in which the course that has the last one has had the last few.
+/// The best division of the readings so far, for a given last reading and the last few readings of its series.
 struct Division {
   double cost = std::numeric_limits<double>::infinity();
   CourseHead current, resting;
@@ -40,15 +40,15 @@ struct Division {
 /// By the number of the current course's last readings in a row.
 using OfOneCourse = std::array<Division, kLongestAbsence>;
 
-/// By which course is current: the first or the second.
+/// Which series is current: the first or the second.
 using Divisions = std::array<OfOneCourse, 2>;
 
-/// Where a state comes from whose predecessor its place does not tell: the first and the last of a course.
+/// The previous state where the position does not determine it: the first and the last of a series.
 struct Step {
   std::array<std::uint8_t, 2> switched_from{}, stayed_from{};
 };
 
-/// `prices`: of a reading in each course.
+/// `prices`: of a reading in each series.
 Step advance(double t, double y, const std::array<double, 2>& prices, Divisions& states) {
   Divisions next;
   Step step;

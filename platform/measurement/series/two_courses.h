@@ -6,10 +6,11 @@
 
 namespace lacuna {
 
-/// For each reading which of two courses it belongs to (0 or 1), such that each course changes as little as can be from
-/// one of its readings to the next: the sum of the distances to what its last two readings lead to is the least, by
-/// dynamic programming. A reading of the second course costs `price` more, so that it has few, and the courses keep
-/// their names where they cross. Readings of one course only are divided somehow. `times` ascend; values are finite.
+/// For each reading the series it belongs to (0 or 1), such that each series changes as little as possible from one of
+/// its readings to the next: minimises the sum of the distances to the extrapolation of its last two readings, by
+/// dynamic programming. A reading of the second series costs `price` more, so that it gets few, and the series keep
+/// their numbers where they cross. Readings of a single series are divided arbitrarily. `times` ascend; values are
+/// finite.
 std::vector<std::size_t> divide_in_two(std::span<const double> times, std::span<const double> values, double price);
 
 }  // namespace lacuna

@@ -13,25 +13,25 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kFewestOnASide = 3;      ///< values in either half of the range
-constexpr std::size_t kFewestLevelsRead = 20;  ///< of what a moving robot reads
+constexpr std::size_t kFewestLevelsRead = 20;  ///< number of distinct values of a moving robot
 constexpr double kSmallestModulus = 60.0;      ///< counts
-constexpr std::size_t kFewestForUnusual = 3;   ///< jumps that show a modulus which is no usual one
+constexpr std::size_t kFewestForUnusual = 3;   ///< jumps that show an unusual modulus
 constexpr double kErrors = 3.5;                ///< standard errors to either side of an estimate
-constexpr double kMostAveraged = 16.0;         ///< jumps: what many have in common does not average out
-constexpr double kMostSpread = 0.1;            ///< of the modulus, of a single jump's estimate
+constexpr double kMostAveraged = 16.0;         ///< jumps: an error common to many does not average out
+constexpr double kMostSpread = 0.1;            ///< of the modulus, error of a single jump's estimate
 constexpr double kMostError = 0.1;             ///< of the modulus
-constexpr double kMostUnlike = 0.1;            ///< of the jumps, as those of glitches
-constexpr double kUnlike = 6.0;                ///< spreads from the estimate
-constexpr double kLeastChance = 1e-5;          ///< that crossings leave so much of the range unread
-constexpr std::size_t kFewestTrials = 20;      ///< jumps elsewhere that tell what estimates are good to
+constexpr double kMostUnlike = 0.1;            ///< of the jumps, as for glitches
+constexpr double kUnlike = 6.0;                ///< standard deviations from the estimate
+constexpr double kLeastChance = 1e-5;          ///< probability that crossings leave so much of the range unread
+constexpr std::size_t kFewestTrials = 20;      ///< jumps elsewhere that show the accuracy of estimates
 constexpr std::size_t kOtherPlaces = 12;       ///< to wrap at
-constexpr double kLeastInformation = 1e-3;     ///< of a window whose jumps no polynomial makes
+constexpr double kLeastInformation = 1e-3;     ///< of a window, beyond any polynomial
 constexpr double kRoundingToCounts = 0.29;     ///< counts, 1/sqrt(12)
-constexpr std::size_t kMostPlaces = 4000;      ///< more say nothing new
-constexpr double kSpreadOfStep = 0.2;          ///< of where crossings begin; those that begin anywhere have 0.29
+constexpr std::size_t kMostPlaces = 4000;      ///< more add no information
+constexpr double kSpreadOfStep = 0.2;          ///< of where crossings begin; for uniformly distributed ones 0.29
 constexpr double kRounding = 1e-9;
 
-/// Readings of one file and how often the counter had started again by then.
+/// Readings of one file and the number of restarts of the counter so far.
 struct Counted {
   std::vector<double> values, wraps;
   std::vector<std::size_t> places;  ///< in the file
@@ -79,7 +79,7 @@ void count_wraps(const Range& range, Counted& file) {
   }
 }
 
-/// The part of `column` that no polynomial in the places makes.
+/// The part of `column` that no polynomial in the positions explains.
 Eigen::VectorXd beyond_polynomial(const Counted& file, std::size_t first, Eigen::Index degree,
                                   const Eigen::VectorXd& column) {
   Eigen::MatrixXd powers(column.size(), degree + 1);
@@ -91,7 +91,7 @@ Eigen::VectorXd beyond_polynomial(const Counted& file, std::size_t first, Eigen:
   return column - powers * powers.householderQr().solve(column);
 }
 
-/// What a stretch of readings says of the modulus.
+/// Estimate of the modulus from a few consecutive readings.
 struct Estimate {
   double modulus = 0.0;
   double information = 0.0;  ///< one over the variance, for readings of variance 1
@@ -111,7 +111,7 @@ Eigen::VectorXd piece(const std::vector<double>& values, std::size_t first, std:
 
 double middle_of(std::vector<double> values) { return median_of(values); }
 
-/// By windows of one shape that do not overlap, at jumps.
+/// With windows of one shape that do not overlap, at jumps.
 std::vector<Estimate> estimates_at_jumps(std::span<const Counted> files, const WindowShape& shape) {
   std::vector<Estimate> estimates;
   const std::size_t length = 2 * shape.half;
@@ -127,7 +127,7 @@ std::vector<Estimate> estimates_at_jumps(std::span<const Counted> files, const W
   return estimates;
 }
 
-/// The readings as the same counter would have given them if it started again elsewhere.
+/// The readings that the same counter would give if it restarted at another value.
 std::vector<Counted> wrapped_elsewhere(std::span<const Counted> files, double modulus, double from) {
   std::vector<Counted> others(files.begin(), files.end());
   for (Counted& file : others)
@@ -139,7 +139,7 @@ std::vector<Counted> wrapped_elsewhere(std::span<const Counted> files, double mo
   return others;
 }
 
-/// Readings that a few of all are below: a motion passes through them.
+/// A value that only a few readings are below: a motion passes through them.
 std::vector<double> places_to_wrap_at(std::span<const Counted> files, double modulus) {
   std::vector<double> decoded;
   for (const Counted& file : files)
@@ -150,7 +150,7 @@ std::vector<double> places_to_wrap_at(std::span<const Counted> files, double mod
   return places;
 }
 
-/// What estimates are off by where the modulus is known, as of readings that are wrapped elsewhere.
+/// Error of estimates where the modulus is known, from readings that are wrapped elsewhere.
 struct Accuracy {
   double bias = 0.0;
   double spread = 0.0;  ///< about that, of readings with an information of 1
@@ -200,7 +200,7 @@ std::optional<Measured> measure_by(std::span<const Counted> files, const WindowS
                   spread / std::sqrt(weights / alike * std::min(alike, kMostAveraged))};
 }
 
-/// By windows of the shape that shows it best.
+/// With windows of the shape that determines it best.
 std::optional<Measured> measure(std::span<const Counted> files, bool whole) {
   std::optional<Measured> best;
   for (const WindowShape& shape : kShapes) {
@@ -210,9 +210,8 @@ std::optional<Measured> measure(std::span<const Counted> files, bool whole) {
   return best;
 }
 
-/// How likely it is that crossings leave unread what a modulus has beyond the range of the readings: each does so with
-/// the share of its step that lies within the range. Where steps do not begin anywhere, as in a motion in time with the
-/// readings, nothing follows.
+/// Probability that crossings leave unread the part of a modulus beyond the range of the readings: each does so with
+/// the share of its step that lies within the range. Where steps are synchronous with the readings, nothing follows.
 class Crossings {
  public:
   Crossings(std::span<const Counted> files, double read) : read_(read) {

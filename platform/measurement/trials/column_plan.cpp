@@ -30,7 +30,7 @@ std::string wrong_dimension(const ColumnMapping& mapping, const Channel& channel
       mapping.unit);
 }
 
-/// Of the angle or the distance that a tracked point gives, which is in SI.
+/// For the angle or the distance of a tracked point, in SI.
 double track_conversion(const ColumnMapping& mapping, const Channel& channel, const Unit& column, const Unit& gain,
                         ProblemList& problems) {
   if (channel.unit != "rad" && channel.unit != "m")
@@ -68,7 +68,7 @@ std::vector<std::string> names_of(const std::vector<Channel>& channels) {
   return names;
 }
 
-constexpr std::size_t kMostAdvice = 20;  // problems of one list for which the nearest names are looked for
+constexpr std::size_t kMostAdvice = 20;  // number of problems in one list for which the nearest names are searched
 
 std::string no_channel(const std::string& name, const std::vector<std::string>& names, std::string_view what,
                        bool with_advice) {

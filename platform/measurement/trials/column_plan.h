@@ -9,16 +9,16 @@
 
 namespace lacuna {
 
-/// A column with what turns it into a channel: SI value = column × factor + offset.
+/// A column and its conversion to a channel: SI value = column × factor + offset.
 struct PlannedColumn {
   Channel channel;
   const ColumnMapping* mapping = nullptr;  ///< into the source
   double factor = 1.0;
 };
 
-/// Matches mappings with the robot's channels, in the robot's order, and their units: the column's
-/// unit times the gain's must have the channel's dimension. `what` ("sensor channel", "actuator")
-/// stands in messages. Mappings to nothing, double ones and wrong units are problems.
+/// Matches mappings with the robot's channels, in the robot's order, and checks units: the column's unit times the
+/// gain's must have the channel's dimension. `what` ("sensor channel", "actuator") is used in messages. Mappings to
+/// unknown channels, duplicates and wrong units are problems.
 std::vector<PlannedColumn> plan_columns(const std::vector<ColumnMapping>& mappings,
                                         const std::vector<Channel>& channels, std::string_view what,
                                         ProblemList& problems);

@@ -15,8 +15,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSmallestNumber = 1e-290;  ///< below it a number is memory that nobody wrote to
-constexpr double kLargestNumber = 1e30;     ///< beyond it a number stands for no value
+constexpr double kSmallestNumber = 1e-290;  ///< a smaller number is uninitialised memory
+constexpr double kLargestNumber = 1e30;     ///< a larger number marks a missing value
 
 void drop_unwritten(const std::vector<const PlannedColumn*>& planned, ReadTable& read) {
   for (std::size_t c = 0; c < planned.size(); ++c) {
@@ -103,7 +103,7 @@ void note_encoding(const ColumnMapping& mapping, const std::string& section, con
   });
 }
 
-/// A wrong count would shift all readings beyond a jump: the experiment has to say which one it is.
+/// A wrong count would shift all readings after a jump, so the experiment must state it.
 void refuse_wrap(const ColumnMapping& mapping, const std::string& section, const FoundEncoding& found,
                  const ColumnParts& parts, std::vector<ReadTable>& tables) {
   const auto [read, line] = line_of(found.first, parts, tables);

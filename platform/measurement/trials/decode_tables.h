@@ -7,9 +7,9 @@
 
 namespace lacuna {
 
-/// Sensors and commands as the devices meant them. Encodings that no mapping states are those that a column shows in
-/// all tables together; each that is found is noted, with the line that states it. Numbers that a device never wrote
-/// (1e-308, 1e300) are missing.
+/// Decodes sensors and commands as the devices encoded them. Encodings that no mapping states are those that a column
+/// shows in all tables together; each that is found is noted, with the line that states it. Numbers that no device
+/// writes (1e-308, 1e300) are missing values.
 void decode_tables(const RecordingPlan& plan, std::vector<ReadTable>& tables);
 
 }  // namespace lacuna

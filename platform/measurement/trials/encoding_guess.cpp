@@ -11,12 +11,13 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSmall = 4.0;              ///< a decoded change over the usual ones that still counts as small
-constexpr double kUsual = 0.99;             ///< quantile of the changes that are no jumps
-constexpr double kMostJumps = 0.5;          ///< of all changes, as of a force that is near zero
-constexpr double kSmallJump = 0.125;        ///< of the jumps' size: more of a usual change, and it is no jump
-constexpr std::size_t kFewestDecoded = 20;  ///< of what a moving robot reads; a switched command has fewer
-constexpr std::size_t kFewestOfASide = 5;   ///< on either side of what parts the values
+constexpr double kSmall = 4.0;        ///< largest decoded change over the usual one that still counts as small
+constexpr double kUsual = 0.99;       ///< quantile of the changes that are not jumps
+constexpr double kMostJumps = 0.5;    ///< of all changes, as for a force near zero
+constexpr double kSmallJump = 0.125;  ///< of the jumps' size: with a larger usual change they are not jumps
+constexpr std::size_t kFewestDecoded =
+    20;  ///< number of distinct values of a moving robot; a switched command has fewer
+constexpr std::size_t kFewestOfASide = 5;  ///< on either side of the boundary between the values
 constexpr int kFewestBits = 8, kMostBits = 32;
 
 using Files = std::span<const std::vector<double>>;
@@ -47,7 +48,7 @@ std::vector<Change> changes_of(Files files) {
   return changes;
 }
 
-/// The largest change that is usual: a quantile of those that are below half the jump; a count at least.
+/// The largest usual change: a quantile of those below half the jump; at least one count.
 double usual_change(const std::vector<Change>& changes, double jump) {
   std::vector<double> usual;
   for (const Change& change : changes)
@@ -56,8 +57,8 @@ double usual_change(const std::vector<Change>& changes, double jump) {
   return std::max(quantile_of(usual, kUsual), 1.0);
 }
 
-/// Whether the column takes several values on either side of what parts them: a single zero before the first reading,
-/// or a signal that only reaches the boundary, shows no encoding.
+/// Whether the column takes several values on either side of the boundary: a single zero before the first reading, or a
+/// signal that only reaches the boundary, shows no encoding.
 bool moves_on_both_sides(Files files, double between) {
   std::set<double> below, above;
   for (const std::vector<double>& file : files)
@@ -94,7 +95,7 @@ std::optional<FoundEncoding> explains_jumps(const Encoding& encoding, double jum
   return smooth && usual < kSmallJump * jump ? std::optional(found) : std::nullopt;
 }
 
-/// How negative whole numbers were written, if the highest bit in use tells their sign.
+/// The encoding of negative whole numbers, if the highest bit in use shows their sign.
 std::optional<FoundEncoding> guess_sign(Files files, bool is_position) {
   double highest = 0.0;
   for (const std::vector<double>& file : files)

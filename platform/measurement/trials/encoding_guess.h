@@ -9,19 +9,19 @@
 
 namespace lacuna {
 
-/// What is known of a column before its readings are looked at.
+/// Knowledge about a column before its readings are examined.
 struct EncodingHints {
-  bool is_position = true;         ///< only a position goes on where a counter starts again
+  bool is_position = true;         ///< only a position continues where a counter restarts
   std::vector<double> turns = {};  ///< full turns in the column's numbers
 };
 
 /// An encoding that a column shows.
 struct FoundEncoding {
-  Encoding encoding;      ///< automatic: the jumps are a counter's that starts again, its count is not certain
+  Encoding encoding;      ///< automatic: the jumps are those of a counter that restarts, and its count is not certain
   std::size_t jumps = 0;  ///< that it explains
   std::size_t first = 0;  ///< the reading after the first of them, counted over all files
-  std::vector<double> moduli = {};     ///< of a counter that starts again: all that the readings allow
-  double estimate = 0.0, error = 0.0;  ///< of that count from the jumps alone, and its standard error
+  std::vector<double> moduli = {};     ///< for a counter that restarts: all counts that agree with the readings
+  double estimate = 0.0, error = 0.0;  ///< estimate of that count from the jumps alone, and its standard error
 };
 
 /// The one encoding under which a column's jumps vanish. `files`: the column as each file writes it, NaN where a

@@ -44,7 +44,7 @@ class RowTable {
   const std::vector<double>& numbers_of(const std::string& name) const { return rows_.columns[place_of(name)]; }
   int line_of(std::size_t row) const { return row < rows_.lines.size() ? rows_.lines[row] : 0; }
 
-  /// Whether the format has kept its word.
+  /// Whether the format returned what was requested.
   bool is_whole() {
     bool whole = rows_.columns.size() == asked_.size() && rows_.origins.size() == asked_.size();
     for (const std::vector<double>& column : rows_.columns)
@@ -137,7 +137,7 @@ class RowTable {
     return column;
   }
 
-  /// Adds parts of a second, if all are, to whole seconds.
+  /// Adds fractions of a second, if all are valid, to whole seconds.
   void add_fractions() {
     if (query_.fraction_column.empty()) return;
     const std::vector<double>& parts = numbers_of(query_.fraction_column);

@@ -5,14 +5,14 @@
 
 namespace lacuna {
 
-/// The query to a format for what is wanted of one of its tables.
+/// The query to a format for the requested columns of one of its tables.
 TableQuery rows_query(const CsvQuery& query, const std::string& table);
 
-/// The rows that a format gave for `rows_query` as if a CSV file had them: a row without a time is a problem where it
-/// has a value and is passed over where it has none, infinities are problems, missing values are noted.
+/// The rows that a format returned for `rows_query`, treated like those of a CSV file: a row without a time is a
+/// problem where it has a value, and skipped where it has none; infinities are problems; missing values are noted.
 CsvTable table_of_rows(RecordedRows rows, const CsvQuery& query, FileReport& report);
 
-/// Hands on what a format says of its reading.
+/// Passes on the format's remarks on its reading.
 void report_reading(const ReadRows& read, FileReport& report);
 
 }  // namespace lacuna

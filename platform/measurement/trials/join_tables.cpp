@@ -14,25 +14,25 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSameTime = 1e-6;     ///< of the first file's median interval: one row for both
-constexpr double kSlack = 0.5;         ///< s, about a known offset, within which a skew is looked for
-constexpr double kLateReading = 0.05;  ///< s: what the readings of a start are looked for in
+constexpr double kSameTime = 1e-6;     ///< of the first file's median interval: closer rows become one row
+constexpr double kSlack = 0.5;         ///< s, around a known offset, search range of a skew
+constexpr double kLateReading = 0.05;  ///< s: the window in which readings of a start are searched
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// A file with its rows' times.
+/// A file with the times of its rows.
 struct Part {
   ReadTable read;
   std::string name;
   double seconds_per_unit = 1.0;
   TrialClock clock = {};
-  double zero = 0.0;    ///< s, a whole number of its clock from which `start` counts: both keep all digits
-  double start = 0.0;   ///< s, what its clock shows beyond that at `clock.times` = 0
+  double zero = 0.0;    ///< s, a whole number of its clock from which `start` counts, so that both keep all digits
+  double start = 0.0;   ///< s, the rest of its clock at `clock.times` = 0
   double origin = 0.0;  ///< s, the sum of the two
   double offset = 0.0, skew = 0.0;
   std::vector<double> times = {};  ///< s on the first file's clock, since that one's first sample
 
   bool has(std::size_t column) const { return !read.table.columns[column].empty(); }
-  /// A time since the first sample as the file's own, which `use` and `mask` are in.
+  /// A time since the first sample in the file's own time, in which `use` and `mask` are given.
   std::string own_time(double since) const {
     const double time = clock.origin + since;
     return std::abs(time) < 1e6 ? fmt::format("{:.9g} s", time) : fmt::format("{:.6f} s", time);
@@ -56,7 +56,7 @@ Part part_of(ReadTable read, const std::filesystem::path& path, double seconds_p
   return part;
 }
 
-/// Pauses of a further file are problems where it gives commands: its readings are only missing there.
+/// Gaps of a further file are problems where it contains commands; its readings are only missing there.
 void check_clock_of(const FurtherFile& file, const RecordingPlan& plan, RecordingSource source, Part& part) {
   if (part.read.report.has_problems()) return;
   source.mask.clear();  // in the first file's time
@@ -112,7 +112,7 @@ std::vector<ClockedSignal> signals_of(const Part& part, const RecordingPlan& pla
   return signals;
 }
 
-/// A number with as many digits as its standard error leaves it.
+/// A number with as many digits as its standard error justifies.
 std::string with_error(double value, double error) {
   const int digits = error > 0.0 ? static_cast<int>(std::ceil(1.0 - std::log10(error))) : 9;
   return fmt::format("{:.{}f} ± {:.2g}", value, std::clamp(digits, 0, 12), error);
@@ -130,7 +130,7 @@ void note_alignment(const FurtherFile& file, const ClockAlignment& found, const 
   });
 }
 
-/// Takes what the experiment says of a clock, or finds it.
+/// Uses the experiment's values for a clock, or estimates them.
 void set_clock(const FurtherFile& file, const RecordingPlan& plan, Hold hold, const Part& first, Part& part) {
   part.offset = file.offset.value_or(0.0);
   part.skew = file.skew.value_or(0.0);
@@ -159,7 +159,7 @@ void take_times(const Part& first, Part& part) {
     part.times.push_back((part.zero - first.zero) + (part.start - first.start) + time + part.offset + part.skew * time);
 }
 
-/// Where every command is known, within what the first file spans.
+/// Where every command is known, within the range of the first file.
 TimeRange span_of(const std::vector<Part>& parts, const RecordingPlan& plan) {
   TimeRange span{parts.front().times.front(), parts.front().times.back()};
   const std::size_t first = plan.sensors.size(), last = columns_of(plan).size() + plan.switches.size();
@@ -193,7 +193,7 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 struct JoinedRows {
   std::size_t parts = 0;
   std::vector<double> times;          ///< s, as `Part::times`
-  std::vector<std::size_t> of_parts;  ///< row by row, a row of each part's table; kNone: that part has none
+  std::vector<std::size_t> of_parts;  ///< row by row, the row of each part's table; kNone: that part has none
 
   std::size_t of(std::size_t row, std::size_t part) const { return of_parts[row * parts + part]; }
 };
@@ -272,8 +272,8 @@ class ColumnLine {
   std::vector<double> times_, values_;
 };
 
-/// A command, a reference or a switch is known at every row, whatever file the row is of: a piece of the trial may
-/// begin with any. What is to be differentiated goes on straight lines.
+/// A command, a reference or a switch is known at every row, whatever file the row comes from, because a piece of the
+/// trial may begin there. Signals to be differentiated are interpolated linearly.
 void fill_commands_of(const std::vector<Part>& parts, const RecordingPlan& plan, Hold hold, const JoinedRows& rows,
                       CsvTable& table) {
   const std::vector<const PlannedColumn*> planned = columns_of(plan);
@@ -299,7 +299,7 @@ void note_left_out(const std::vector<Part>& parts, const TimeRange& span, FileRe
   });
 }
 
-/// A start that no reading tells would be taken for zero.
+/// A start without readings would count as zero.
 void note_late_readings(const std::vector<Part>& parts, const RecordingPlan& plan, const TimeRange& span,
                         FileReport& report) {
   double first_reading = std::numeric_limits<double>::infinity();

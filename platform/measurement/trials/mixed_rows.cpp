@@ -13,7 +13,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kNamed = 3;      ///< readings whose times are said
+constexpr std::size_t kNamed = 3;      ///< readings whose times are listed
 constexpr double kMostGlitches = 0.1;  ///< of the readings
 constexpr double kMostAtRest = 0.05;   ///< of a position's readings that leave one level: more may be motion
 
@@ -29,7 +29,7 @@ std::span<const double> times_of(const TimeSeries& series) {
   return {series.times.data(), static_cast<std::size_t>(series.times.size())};
 }
 
-/// One channel of a trial, and how its readings are spoken of.
+/// One channel of a trial, with the texts for messages about its readings.
 struct LookedAt {
   TimeSeries& series;
   std::size_t channel;
@@ -85,7 +85,7 @@ void clear(TimeSeries& series, std::size_t channel, const std::vector<std::size_
     series.samples(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(channel)) = std::nan("");
 }
 
-/// What was commanded before stays commanded in these rows.
+/// In these rows the previous command stays.
 void hold_command(TimeSeries& commands, std::size_t channel, const std::vector<std::size_t>& rows) {
   const auto c = static_cast<Eigen::Index>(channel);
   for (const std::size_t row : rows)
@@ -93,7 +93,7 @@ void hold_command(TimeSeries& commands, std::size_t channel, const std::vector<s
       commands.samples(static_cast<Eigen::Index>(row), c) = commands.samples(static_cast<Eigen::Index>(row) - 1, c);
 }
 
-/// Other channels of rows that are another publisher's.
+/// Other channels of rows that come from another publisher.
 void leave_out_rows(Trial& trial, std::size_t found_in, const std::vector<std::size_t>& rows) {
   for (std::size_t c = 0; c < trial.measured.channels.size(); ++c)
     if (c == found_in || stands_apart(times_of(trial.measured), readings_of(trial.measured, c), rows))
@@ -112,13 +112,13 @@ void leave_out_pulses(const LookedAt& at, const Glitches& glitches, FileReport& 
   });
 }
 
-/// The last reading before a row that is none of the glitches.
+/// The last reading before a row that is not a glitch.
 std::size_t reading_before(const LookedAt& at, const std::vector<std::size_t>& glitches, std::size_t row) {
   while (row > 0 && (!std::isfinite(at.value(row)) || std::binary_search(glitches.begin(), glitches.end(), row))) --row;
   return row;
 }
 
-/// One sentence a run of readings.
+/// One sentence per run of readings.
 void say_each(const LookedAt& at, const std::vector<std::size_t>& glitches, FileReport& report) {
   for (std::size_t first = 0, next = 0; first < glitches.size(); first = next) {
     const std::size_t row = glitches[first];

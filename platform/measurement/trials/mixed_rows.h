@@ -6,10 +6,9 @@
 
 namespace lacuna {
 
-/// Leaves out the rows that another publisher or sensor wrote between those of a position or velocity
-/// (second_stream.h), also of other sensors and of commands that are apart there, and says how many and which. More
-/// than can be told from the channel's own are a problem. `lines`: of each sample in the file; `origin`: the file's
-/// time at the first one.
+/// Leaves out the rows of another publisher or sensor among those of a position or velocity (second_stream.h), also for
+/// other sensors and commands that differ there, and says how many and which. Too many rows to identify the channel's
+/// own are a problem. `lines`: of each sample in the file; `origin`: the file's time at the first one.
 void leave_out_second_streams(Trial& trial, const RecordingPlan& plan, const std::vector<int>& lines, double origin,
                               FileReport& report);
 

@@ -14,7 +14,7 @@
 namespace lacuna {
 namespace {
 
-/// What a file of another format holds, and the table that is its first.
+/// The contents of a file of another format, and its first table.
 struct OpenedTables {
   RecordingContents contents;
   std::size_t first = 0;
@@ -63,7 +63,7 @@ std::optional<std::size_t> table_named(const RecordingContents& contents, const 
   return static_cast<std::size_t>(found - contents.tables.begin());
 }
 
-/// The table that a path names a column of.
+/// The table that a column's path names.
 std::optional<std::size_t> table_of(const RecordingContents& contents, const std::string& path) {
   for (std::size_t t = 0; t < contents.tables.size(); ++t)
     for (const RecordedColumn& column : contents.tables[t].columns)
@@ -71,8 +71,7 @@ std::optional<std::size_t> table_of(const RecordingContents& contents, const std
   return std::nullopt;
 }
 
-/// The table that is read first where the experiment does not say which: that of the first sensor whose column is
-/// there.
+/// The first table where the experiment names none: that of the first sensor whose column exists.
 std::size_t likely_table(const RecordingContents& contents, const std::vector<std::string>& wanted) {
   for (const std::string& column : wanted)
     if (const auto table = table_of(contents, column)) return *table;
@@ -116,7 +115,7 @@ void check_format(const RecordingSource& source, const RecordingPlan& plan, cons
   note_unread_drives(source, format, report);
 }
 
-/// The columns of one of the runs that a file has side by side, by the names that it has as a table.
+/// The columns of one of the runs side by side in a file, with their names in its table.
 void take_run(const std::string& run, OpenedFile& file) {
   if (std::ranges::find(file.runs, run) == file.runs.end()) {
     file.report.problem("table", file.format.header_line, [&] {
@@ -134,7 +133,7 @@ void take_run(const std::string& run, OpenedFile& file) {
   file.format.names = names_of_run(file.format.names, run);
 }
 
-/// Runs of a file that no recording of the experiment reads; said where the file is named first.
+/// Runs of a file that no recording of the experiment reads; reported where the file is named first.
 void note_unread_runs(const RecordingSource& source, const MeasuredFile& file, OpenedFile& opened) {
   const auto first = std::ranges::find(source.files, file.path, &MeasuredFile::path);
   if (&*first != &file) return;
@@ -152,7 +151,7 @@ void note_unread_runs(const RecordingSource& source, const MeasuredFile& file, O
   });
 }
 
-/// `run`: of a file that has several side by side; empty: its columns go by their whole names.
+/// `run`: of a file that has several side by side; empty: its columns have their whole names.
 void open_csv(const RecordingSource& source, const RecordingPlan& plan, const std::string& run, OpenedFile& file) {
   file.text = read_measured_text(file.path, file.report);
   if (file.report.has_problems()) return;
@@ -163,7 +162,7 @@ void open_csv(const RecordingSource& source, const RecordingPlan& plan, const st
   check_format(source, plan, file.format, file.report);
 }
 
-/// The other tables of the first file, as further files of the recording whose clock is the first one's.
+/// The other tables of the first file, as further files of the recording with the first one's clock.
 void add_found_tables(const OpenedTables& opened, OpenedRecording& recording) {
   const std::filesystem::path path = recording.tables.front().path;
   for (std::size_t t = 0; t < opened.contents.tables.size(); ++t) {
@@ -199,7 +198,7 @@ void drop_tables_without(const std::vector<std::string>& wanted, OpenedRecording
   }
 }
 
-/// What holds for files that are joined (config/schema/recording_schema.cpp) holds for tables that are.
+/// Rules for joined files (config/schema/recording_schema.cpp) also apply to joined tables.
 void check_found_tables(const RecordingSource& source, OpenedRecording& recording) {
   if (source.trial_column.empty() && source.controllers.empty()) return;
   for (const OpenedFile& table : recording.tables) {

@@ -22,21 +22,21 @@ struct OpenedFile {
   std::string time_column;
   std::string time_unit;
   Encoding time_encoding;
-  std::vector<std::string> only;  ///< the columns to be taken from it; empty: those that are wanted
+  std::vector<std::string> only;  ///< the columns to be taken from it; empty: those that are requested
   std::string text = {};          ///< of a CSV file
   CsvFormat format = {};
-  NameIndex columns = {};                 ///< of the format's names
-  std::string run = {};                   ///< of a CSV file with several side by side (csv_runs.h); empty: all of it
-  std::vector<std::string> runs = {};     ///< of a CSV file
-  bool shares_clock = false;              ///< all runs of a CSV file have one column of times
+  NameIndex columns = {};              ///< of the format's names
+  std::string run = {};                ///< of a CSV file with several side by side (csv_runs.h); empty: the whole file
+  std::vector<std::string> runs = {};  ///< of a CSV file
+  bool shares_clock = false;           ///< all runs of a CSV file have one column of times
   std::optional<std::string> table = {};  ///< of another format: the table's name, empty where a file is one
   bool has_own_clock = false;             ///< the format knows its time, in s, since 1970 or since a start
-  bool is_found = false;                  ///< a further table of its file, of which only whole paths speak
+  bool is_found = false;                  ///< a further table of its file, named only by whole paths
   std::vector<std::string> paths = {};    ///< of all columns of the file, where it has tables
-  std::vector<std::size_t> given = {};    ///< which of the wanted columns it gives
-  std::set<std::string> told = {};        ///< columns whose absence was told
+  std::vector<std::size_t> given = {};    ///< which of the requested columns it has
+  std::set<std::string> told = {};        ///< columns reported as missing
 
-  /// A column of the experiment as the table itself calls it.
+  /// A column's name within the table.
   std::string own_name(const std::string& column) const;
   std::size_t count(const std::string& column) const { return columns.count(own_name(column)); }
   bool has(const std::string& column) const { return count(column) > 0; }
@@ -45,7 +45,7 @@ struct OpenedFile {
 
 /// A recording with all of its tables open.
 struct OpenedRecording {
-  MeasuredFile file;  ///< its `with` has an entry for each table but the first
+  MeasuredFile file;  ///< its `with` has an entry for each table except the first
   std::vector<OpenedFile> tables;
 
   bool has_problems() const;

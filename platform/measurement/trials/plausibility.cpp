@@ -13,7 +13,7 @@
 namespace lacuna {
 namespace {
 
-/// Beyond these sizes another unit is likelier than a robot that does that.
+/// Beyond these sizes another unit is more likely than such a motion.
 struct PlausibleSize {
   std::string_view unit;
   double largest;
@@ -23,7 +23,7 @@ constexpr PlausibleSize kPlausibleSizes[] = {{"rad", 12.6, "deg"}, {"rad/s", 300
                                              {"m", 20.0, "mm"},    {"m/s", 50.0, "mm/s"},
                                              {"N*m", 1e4, "N*mm"}, {"N", 1e5, "mN"}};
 
-/// Below these, in the column's own unit, a column that is said to be in a small unit is likelier in the large one.
+/// Below these, in the column's unit, a column with a small unit more likely has the large one.
 struct SmallUnit {
   std::string_view column_unit;
   double smallest;
@@ -32,7 +32,7 @@ struct SmallUnit {
 constexpr SmallUnit kSmallUnits[] = {
     {"deg", 6.3, "rad"}, {"deg/s", 6.3, "rad/s"}, {"mm", 1.0, "m"}, {"mm/s", 1.0, "m/s"}};
 
-/// Ratios of a velocity to the slope of its position that have a name.
+/// Ratios of a velocity to the slope of its position with a known cause.
 struct NamedRatio {
   double ratio;
   std::string_view reason;
@@ -78,7 +78,7 @@ void check_unit(const PlannedColumn& column, const CsvFormat& format, const Name
 
 void check_size(const PlannedColumn& column, const SignalShape& shape, int line, FileReport& report) {
   const ColumnMapping& mapping = *column.mapping;
-  if (same_unit(unit_in_name(mapping.column), mapping.unit)) return;  // the file says so itself
+  if (same_unit(unit_in_name(mapping.column), mapping.unit)) return;  // the file states it
   const double size = std::max(std::abs(shape.lowest), std::abs(shape.highest));
   for (const PlausibleSize& plausible : kPlausibleSizes) {
     if (column.channel.unit != plausible.unit || size <= plausible.largest) continue;

@@ -28,7 +28,7 @@ std::vector<std::string> names_of_columns(const RecordingPlan& plan) {
   return names;
 }
 
-/// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
+/// A missing column may be the experiment's mistake or the file's: the message names both.
 void check_column(const std::string& name, OpenedFile& file) {
   const std::vector<std::string>& names = file.paths.empty() ? file.format.names : file.paths;
   const std::size_t count = file.count(name);
@@ -46,7 +46,7 @@ void check_column(const std::string& name, OpenedFile& file) {
   });
 }
 
-/// What an entry of `with` names must be there, and be read.
+/// The columns of an entry of `with` must exist and be used.
 void check_named(const std::string& name, const std::vector<std::string>& wanted, OpenedFile& file) {
   if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) return check_column(name, file);
   file.report.problem("named " + name, 0, [&] {
@@ -55,7 +55,7 @@ void check_named(const std::string& name, const std::vector<std::string>& wanted
   });
 }
 
-/// The file that a column is taken from: the one that names it, else the first, else the only other one that has it.
+/// The file of a column: the one that names it, else the first, else the only other one that has it.
 std::size_t file_of(const std::string& name, std::vector<OpenedFile>& files) {
   std::vector<std::size_t> sources;
   for (std::size_t f = 1; f < files.size(); ++f)
@@ -86,7 +86,7 @@ void allot_columns(const std::vector<std::string>& wanted, const std::string& tr
   }
 }
 
-/// Seconds and parts of them in two columns are one time stamp.
+/// Seconds and fractions in two columns are one time stamp.
 void name_fraction(const OpenedFile& file, double seconds_per_unit, CsvQuery& query) {
   const auto fraction = fraction_beside(file.time_column, file.format.names);
   if (seconds_per_unit != 1.0 || !fraction) return;
@@ -106,7 +106,7 @@ double seconds_per_unit_of(const OpenedFile& file) {
   return unit ? unit->to_si : 1.0;
 }
 
-/// What is wanted of a file, in its own words.
+/// The request to a file, in its own names.
 CsvQuery query_for(const RecordingSource& source, const std::vector<std::string>& wanted, const OpenedFile& file) {
   CsvQuery query;
   query.time_column = file.own_name(file.time_column);
@@ -118,14 +118,14 @@ CsvQuery query_for(const RecordingSource& source, const std::vector<std::string>
   return query;
 }
 
-/// Empties the file's text, which is of no more use.
+/// Frees the file's text, which is no longer used.
 CsvTable table_of(const CsvQuery& query, std::optional<RecordedRows>& rows, OpenedFile& file) {
   if (rows) return table_of_rows(std::move(*rows), query, file.report);
   const std::string text = std::move(file.text);
   return read_csv_table(text, file.format, query, file.report);
 }
 
-/// Times since 1970 of a format that knows its clock count from the file's first, as dates do.
+/// Times since 1970 of a format that knows its clock count from the file's first, like dates.
 void date_times(const OpenedFile& file, double seconds_per_unit, CsvTable& table) {
   constexpr double kThisCentury = 1e9;  ///< s since 1970
   if (!file.has_own_clock || seconds_per_unit != 1.0 || table.times.empty() || table.time_origin < kThisCentury) return;
@@ -133,7 +133,7 @@ void date_times(const OpenedFile& file, double seconds_per_unit, CsvTable& table
   table.first_date = table.times.front();
 }
 
-/// Of a file that is not read: what is said of it.
+/// The messages about a file that is not read.
 ReadTable unread(std::size_t columns, OpenedFile& file) {
   ReadTable read{std::move(file.report), {}};
   read.table.columns.resize(columns);

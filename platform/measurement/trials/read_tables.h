@@ -13,20 +13,20 @@ namespace lacuna {
 /// The files of one recording as one table.
 struct ReadRecording {
   FileReport report;  ///< of the first file
-  CsvTable table;     ///< of no meaning where there are problems
+  CsvTable table;     ///< invalid where there are problems
   std::vector<FileReport> further;
 
   bool has_problems() const;
 };
 
-/// Columns of the plan in the order of a table's: sensors, commands, references; switches follow.
+/// Columns of the plan in the order of a table's: sensors, commands, references, then switches.
 std::vector<const PlannedColumn*> columns_of(const RecordingPlan& plan);
 
 /// Row numbers of each trial in a table.
 std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table);
 
-/// Reads the recordings of a source, in CSV or one of the other `formats`, as the devices meant them (decode_tables.h).
-/// Files of one recording become one table on the first one's clock (join_tables.h).
+/// Reads the recordings of a source, in CSV or one of the other `formats`, and decodes them (decode_tables.h). Files of
+/// one recording become one table on the first one's clock (join_tables.h).
 std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan,
                                        const RecordingFormats* formats);
 

@@ -15,12 +15,12 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSameSignal = 1e-6;         ///< of the deviation: a copy is exact but for its digits
-constexpr Eigen::Index kFewestSamples = 20;  ///< few numbers are alike by chance
+constexpr double kSameSignal = 1e-6;         ///< of the deviation: a copy is exact except for its digits
+constexpr Eigen::Index kFewestSamples = 20;  ///< with few numbers, equality may be chance
 constexpr std::size_t kFewestTurns = 4;
 constexpr double kNearZero = 0.05;  ///< of the signal's size
 constexpr double kHigh = 0.25;
-constexpr double kCoarseAngle = M_PI / 10.0;  ///< rad, a count of a sensor of few pulses a turn, not of an encoder
+constexpr double kCoarseAngle = M_PI / 10.0;  ///< rad, a count of a sensor with few pulses per turn, not of an encoder
 constexpr double kCoarseLength = 5e-3;        ///< m
 constexpr double kStraight = 0.4;             ///< of the height at twice the distance; a smooth minimum has a quarter
 
@@ -50,8 +50,8 @@ bool has_known_start(const Trial& trial) {
                      [](const InitialValue& value) { return value.knowledge != InitialKnowledge::from_data; });
 }
 
-/// Readings between events are none; those at events have the noise that follows from their moments, unless the
-/// experiment declares one. They do not show how a trial starts: where that is not stated, all rows stay, as they are.
+/// Readings between events are left out; those at events have the noise that follows from their times, unless the
+/// experiment declares one. They do not determine the start of a trial: where it is not stated, all rows stay.
 bool keep_events_only(Trial& trial, std::size_t c, const ColumnMapping& mapping, int line, FileReport& report) {
   TimeSeries& measured = trial.measured;
   const std::string& unit = measured.channels[c].unit;
@@ -90,7 +90,7 @@ bool keep_events_only(Trial& trial, std::size_t c, const ColumnMapping& mapping,
   return true;
 }
 
-/// Whether b = scale·a + offset, but for the digits that were written.
+/// Whether b = scale·a + offset, except for rounding of the digits.
 bool is_copy(const std::vector<double>& a, const std::vector<double>& b) {
   const Eigen::Map<const Eigen::ArrayXd> x(a.data(), static_cast<Eigen::Index>(a.size())),
       y(b.data(), static_cast<Eigen::Index>(b.size()));
@@ -101,8 +101,8 @@ bool is_copy(const std::vector<double>& a, const std::vector<double>& b) {
   return (dy - xy / xx * dx).square().sum() < kSameSignal * kSameSignal * yy;
 }
 
-/// How often a signal that is never negative falls straight to zero and rises straight again, as a size does whose sign
-/// is lost.
+/// How often a signal that is never negative falls straight to zero and rises straight again, like a magnitude without
+/// its sign.
 std::size_t folded_turns(const std::vector<double>& values) {
   if (!std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0; })) return 0;
   const double size = *std::max_element(values.begin(), values.end());

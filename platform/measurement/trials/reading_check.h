@@ -4,9 +4,9 @@
 
 namespace lacuna {
 
-/// Leaves out readings that were never taken, with a note each: what stands still between counted events, what a slow
-/// sensor only repeats, glitches and rows of another publisher among positions and velocities (mixed_rows.h). A column
-/// may keep them. `lines`: of each sample in the file.
+/// Leaves out readings that were never taken, with a note each: constant values between counted events, repetitions of
+/// a slow sensor, glitches and rows of another publisher among positions and velocities (mixed_rows.h). A column may
+/// keep them. `lines`: of each sample in the file.
 void leave_out_false_readings(Trial& trial, const RecordingPlan& plan, const std::vector<int>& lines, double origin,
                               FileReport& report);
 

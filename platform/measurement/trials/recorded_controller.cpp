@@ -82,7 +82,7 @@ double RecordedController::command(std::size_t index, Eigen::Index sample, doubl
 void RecordedController::act(double time, std::span<const double> sensors, std::span<double> state,
                              std::span<double> commands) const {
   const Eigen::Index sample = sample_at(time);
-  const double last = state[0] - 1.0;  // the sample that it acted at; a state of zeros: at none
+  const double last = state[0] - 1.0;  // the sample at which it last acted; a state of zeros: none
   if (last == static_cast<double>(sample)) return;
   for (std::size_t c = 0; c < signals_.actuator_of.size(); ++c)
     commands[signals_.actuator_of[c]] = signals_.commands.series.samples(sample, static_cast<Eigen::Index>(c));

@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-/// In place of x; angles go on from turn to turn.
+/// Replaces x; angles continue from turn to turn.
 void make_angles(const std::vector<double>& y, const PlannedColumn& sensor, std::vector<double>& x) {
   const TrackedPoint& track = sensor.mapping->track;
   const double to_si = parse_unit(sensor.mapping->unit)->to_si;

@@ -8,8 +8,8 @@
 namespace lacuna {
 namespace {
 
-/// By central differences between known samples, one-sided at the ends. Where a position is then integrated by the
-/// trapezium rule, it stays where it was measured to be.
+/// By central differences between known samples, one-sided at the ends. A position integrated from them by the
+/// trapezium rule equals the measured one.
 void differentiate(const Eigen::VectorXd& times, Eigen::Ref<Eigen::VectorXd, 0, Eigen::InnerStride<>> values) {
   std::vector<Eigen::Index> known;
   for (Eigen::Index i = 0; i < values.size(); ++i)

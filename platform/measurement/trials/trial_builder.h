@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// A column that tells when an actuator is off.
+/// A column that shows when an actuator is off.
 struct PlannedSwitch {
   std::size_t command = 0;  ///< index into the plan's commands
   std::string column;
@@ -26,13 +26,13 @@ struct RecordingPlan {
   std::vector<double> commanded_before;  ///< before the first sample, by command; NaN: not known
 };
 
-/// Makes a trial of the clock's rows: SI units, masked readings NaN, missing commands filled in as
-/// the hold convention says (the value before; the line between its neighbours), and NaN while the
-/// actuator is off. A command without a first value is a problem.
+/// Makes a trial of the clock's rows: SI units, masked readings NaN, missing commands filled in according to the hold
+/// (the value before; the line between its neighbours), and NaN while the actuator is off. A command without a first
+/// value is a problem.
 Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, const CsvTable& table,
                   const TrialClock& clock, FileReport& report);
 
-/// A trial that begins in the middle of a table knows what was commanded before: a row's commands, where it has them.
+/// A trial that begins in the middle of a table has earlier commands: those of a row, where it has them.
 void take_commands_before(const RecordingPlan& plan, const CsvTable& table, std::size_t row, Trial& trial);
 
 }  // namespace lacuna

@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// A note where the experiment commands nothing, although a file has columns that look like what drove the rig: a
+/// A note where the experiment has no commands, although a file has columns that look like the drive of the rig: a
 /// torque, a current, a voltage.
 void note_unread_drives(const RecordingSource& source, const CsvFormat& format, FileReport& report);
 
