@@ -111,7 +111,7 @@ std::string literal(double number) {
   return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-/// The constant in the source that is the index of each parameter.
+/// The index of each parameter, as a constant in the source.
 std::map<std::string, std::string> enumerators_of(const ForceLaw& law) {
   std::map<std::string, std::string> names;
   std::set<std::string> taken;
@@ -127,7 +127,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return fmt::format("{}", fmt::join(words, between));
 }
 
-/// The sum of the terms that go along the motion or of the others, as C++; empty if there are none.
+/// The sum of the terms with sgn(v), or of the others, as C++; empty if there are none.
 std::string sum_of(const ForceLaw& law, bool along) {
   const std::map<std::string, std::string> enumerators = enumerators_of(law);
   const ExpressionStyle style = {literal, [&](const std::string& name) { return "p[" + enumerators.at(name) + "]"; },
@@ -144,7 +144,7 @@ bool uses(const Expression& expression, const std::string& variable) {
   return found;
 }
 
-/// The variables as arguments of such a sum; those that it does not use have no name.
+/// The variables as arguments of such a sum; unused ones have no name.
 std::string arguments_of(const ForceLaw& law, bool along) {
   std::vector<std::string> arguments;
   for (const char* variable : {"q", "v", "u"}) {
@@ -156,7 +156,7 @@ std::string arguments_of(const ForceLaw& law, bool along) {
   return joined(arguments, ", ");
 }
 
-/// Effects of the library that move a robot alike.
+/// Effects of the library with a similar influence on the motion.
 std::string look_alikes(const ForceLaw& law) {
   std::set<std::string> names;
   for (const LawTerm& term : law.terms) {
@@ -249,7 +249,7 @@ std::string effect_source(const std::string& name, const ForceLaw& law) {
   const std::string type = camel_case(name) + "Law";
   std::string text = filled(kSource, {{"FUNCTIONS", functions_of(law)},
                                       {"HOOKS", u ? kActuatorHooks : kJointHooks},
-                                      {"STEP", u ? kActuatorStep : kJointStep}});  // these hold further marks
+                                      {"STEP", u ? kActuatorStep : kJointStep}});  // these texts contain further marks
   return filled(text, {{"ADDED", calls_of(law)},
                        {"CLASS", type},
                        {"ENUMERATORS", enumerators(law)},

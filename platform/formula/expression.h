@@ -6,14 +6,14 @@
 
 namespace lacuna {
 
-/// A formula as a tree. Leaves are numbers, the variables q, v and u, and parameters that the formula names itself.
+/// A formula as a tree. Leaves are numbers, the variables q, v and u, and named parameters.
 struct Expression {
   enum class Kind { number, variable, parameter, negation, sum, difference, product, quotient, power, call };
   Kind kind = Kind::number;
   double number = 0.0;            ///< of a number
   std::string name;               ///< of a variable, a parameter or a called function
-  std::vector<Expression> parts;  ///< operands; of a power, the base and its exponent, a number
-  int column = 0;                 ///< where it stands in the text, from 1
+  std::vector<Expression> parts;  ///< operands; for a power, the base and its exponent, a number
+  int column = 0;                 ///< position in the text, from 1
 
   bool is_number() const { return kind == Kind::number; }
   /// Whether it is `function(variable)`, such as sgn(v).

@@ -21,12 +21,12 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr double kReach = 100.0;  ///< how many times its start a parameter may become
+constexpr double kReach = 100.0;  ///< largest magnitude of a parameter, times its start
 
-/// A bound, without the digits that its product leaves behind the third.
+/// A bound, without rounding digits after the third.
 double rounded(double bound) { return std::strtod(fmt::format("{:.3g}", bound).c_str(), nullptr); }
 
-/// Whether a fit can begin there and has bounds around it.
+/// Whether a fit can start there and has bounds around it.
 bool can_start(double number) { return number != 0.0 && std::isfinite(rounded(kReach * number)); }
 
 /// A formula on one line: it is written into comments and strings.
@@ -36,8 +36,8 @@ std::string on_one_line(std::string formula) {
   return formula;
 }
 
-/// What the names of a formula do there: `factor` multiplies a whole term, `summand` shifts something inside of a term,
-/// `scale` divides or stretches something and must keep its sign.
+/// Roles of names in a formula: `factor` multiplies a whole term, `summand` shifts something inside a term, `scale`
+/// divides or scales something and must keep its sign.
 enum class Role { factor, summand, scale };
 
 class Roles {
@@ -143,7 +143,7 @@ class LawBuilder {
   }
 
   void add_term(const RawTerm& raw, std::size_t count, ForceLaw& law) {
-    RawTerm left = raw;  // what its head multiplies
+    RawTerm left = raw;  // the part that the number multiplies
     const auto head = std::find_if(left.over.begin(), left.over.end(), [&](const Expression& f) { return heads(f); });
     Expression factor{Kind::parameter, 0.0, {}, {}, raw.column};
     double number = 1.0;
@@ -181,7 +181,7 @@ class LawBuilder {
     return {std::move(value), along};
   }
 
-  /// Complains of a name that stands for two things.
+  /// Complains of a name with two units.
   void note_unit(const std::string& name, const std::string& unit) {
     const std::string& known = units_.emplace(name, unit).first->second;
     if (known != unit)
@@ -191,13 +191,13 @@ class LawBuilder {
                       unit_in_words(known), unit_in_words(unit)));
   }
 
-  /// Beside a number, which has whatever unit fits, a name has none of its own.
+  /// Beside a number, which has any unit that fits, the unit of a name is undetermined.
   void note_inner_units(const Expression& rest) {
     for (const auto& [name, dimension] : inner_dimensions(rest))
       if (dimension != FormulaDimension{}) note_unit(name, unit_of(dimension));
   }
 
-  /// Names that stand inside of terms.
+  /// Names inside terms.
   void add_inner(const Expression& rest, ForceLaw& law) {
     walk(rest, [&](const Expression& e) {
       if (e.kind != Kind::parameter || declared(law, e.name)) return;

@@ -11,10 +11,10 @@ namespace lacuna {
 /// A number of a force law that a fit may change.
 struct LawParameter {
   std::string name;
-  std::string unit;  ///< in the words of effects: {force}, {position}, {command} (lacuna/physical_effect.h)
+  std::string unit;  ///< in placeholders of effects: {force}, {position}, {command} (lacuna/physical_effect.h)
   double start = 0.0, lower = 0.0, upper = 0.0;
-  double neutral = 0.0;      ///< the law is zero where all parameters are at theirs
-  bool logarithmic = false;  ///< it scales something and keeps its sign
+  double neutral = 0.0;      ///< value at which, with all parameters at theirs, the law is zero
+  bool logarithmic = false;  ///< it scales something and must keep its sign
   std::string description;
 };
 
@@ -30,16 +30,16 @@ struct ForceLaw {
   bool uses_command = false;
   std::vector<LawParameter> parameters;
   std::vector<LawTerm> terms;
-  std::vector<std::string> notes;  ///< sentences on what a reader of the formula may not expect
+  std::vector<std::string> notes;  ///< notes on properties of the formula that may surprise
 
   /// "c_v*v + c_sgn_v*sgn(v)".
   std::string equation() const;
 };
 
 /// Reads a formula (docs/reference/formulas.md) as a sum of terms. The number of a term becomes a parameter that starts
-/// there and may go to a hundred times its size either way; so does a name that multiplies a term, in place of its
-/// number, and starts at its value in `values`. Names inside of terms are parameters too. Throws `BadInput` with all
-/// problems and their places.
+/// there, with bounds at a hundred times its size in both directions; so does a name that multiplies a term, which
+/// starts at its value in `values`. Names inside terms are parameters, too. Throws `BadInput` with all problems and
+/// their places.
 ForceLaw read_force_law(const std::string& formula, const std::map<std::string, double>& values);
 
 }  // namespace lacuna

@@ -8,8 +8,9 @@
 
 namespace lacuna {
 
-/// Complains where a formula could be infinite or no number for some motion: a divisor that may be zero, a root or a
-/// broken power of what may be negative. `positive` names the parameters whose bounds keep them above zero.
+/// Complains where a formula could be infinite or undefined for some motion: a divisor that may be zero, a root or a
+/// fractional power of an expression that may be negative. `positive` names the parameters whose bounds keep them above
+/// zero.
 void check_finite(const Expression& formula, const std::set<std::string>& positive, ProblemList& problems);
 
 }  // namespace lacuna

@@ -30,7 +30,7 @@ const std::map<std::string, double (*)(double)>& functions() {
 
 constexpr const char* kFunctionNames = "abs, sgn, sin, cos, exp, tanh and sqrt";
 
-/// The number that an expression of numbers is.
+/// The value of an expression of numbers.
 double value_of(const Expression& e) {
   const auto part = [&](std::size_t i) { return e.parts[i].number; };
   switch (e.kind) {
@@ -48,7 +48,7 @@ double value_of(const Expression& e) {
   return e.number;
 }
 
-/// Thrown where the structure is faulty, after the fault has been told.
+/// Thrown at a fault of the structure, after it was reported.
 struct Fault {};
 
 /// sum := product (('+' | '-') product)*       product := unary (('*' | '/') unary)*
@@ -117,7 +117,8 @@ class Parser {
     const FormulaToken sign = take();
     Expression of = unary();
     if (sign.text == "+") return of;
-    if (of.kind == Kind::negation) return Expression(of.parts.front());  // written, it would be nested twice as deep
+    if (of.kind == Kind::negation)
+      return Expression(of.parts.front());  // written out, it would be nested twice as deep
     return made(Kind::negation, sign.column, {std::move(of)});
   }
 
@@ -192,7 +193,7 @@ class Parser {
       complain(word.column, "\"" + word.text + "\" is not a valid parameter name; write small letters, digits and _");
   }
 
-  /// Counts how deep the recursion is, so that no text overflows the stack.
+  /// Counts the depth of the recursion, so that no text overflows the stack.
   class Deeper {
    public:
     explicit Deeper(Parser& parser) : parser_(parser) {

@@ -12,7 +12,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Signs of other languages and of typesetting, and what to write.
+/// Signs of other languages and of typesetting, and their replacements.
 struct Mistake {
   std::string_view text, advice;
 };

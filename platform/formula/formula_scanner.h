@@ -16,10 +16,10 @@ struct FormulaToken {
   int column = 0;       ///< of its first character, from 1
 };
 
-/// Where something stands in a formula, as messages name it.
+/// A place in a formula, as messages name it.
 SourceLocation formula_place(int column);
 
-/// Cuts a formula into words, the last of which is its end. What is no word goes to `problems` and is left out.
+/// Splits a formula into words, the last of which is its end. Invalid characters go to `problems` and are left out.
 std::vector<FormulaToken> scan_formula(const std::string& text, ProblemList& problems);
 
 }  // namespace lacuna

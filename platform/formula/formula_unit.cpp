@@ -8,14 +8,14 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr int kLargestExponent = 9;  ///< that a unit can have
+constexpr int kLargestExponent = 9;  ///< in a unit
 constexpr FormulaDimension kNone = {0, 0, 0};
 
 FormulaDimension combined(const FormulaDimension& a, const FormulaDimension& b, int sign) {
   return {a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]};
 }
 
-/// To a power; a number where exponents would not be whole and small.
+/// To a power; a plain number where exponents would not be small whole numbers.
 FormulaDimension raised(const FormulaDimension& base, double exponent) {
   FormulaDimension result;
   for (std::size_t i = 0; i < base.size(); ++i) {
@@ -33,7 +33,7 @@ std::string factor(const std::string& unit, int exponent) {
   return (exponent > 0 ? "*" : "/") + unit + (size > 1 ? "^" + std::to_string(size) : "");
 }
 
-/// A command's unit may be a product: behind a division it is put into parentheses.
+/// A command's unit may be a product: in a denominator it gets parentheses.
 std::string command_factor(int exponent) {
   return exponent > 0 ? "/{command}^-" + std::to_string(exponent) : factor("{command}", exponent);
 }

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr std::size_t kLongestName = 24;  ///< characters; beyond that a count reads better
+constexpr std::size_t kLongestName = 24;  ///< characters; for longer names a number is clearer
 
 void split_product(const Expression& e, bool inverse, RawTerm& term) {
   switch (e.kind) {
@@ -58,7 +58,7 @@ std::string name_of_factor(const Expression& rest) {
   if (rest.is_number()) return "constant";
   const std::string text = formula_text(rest);
   std::string name = "c";
-  bool joined = false;  // to the character before, as the 3 to the q of 3*q and the 2 to the q of q^2
+  bool joined = false;  // attached to the character before, as the 3 to the q of 3*q and the 2 to the q of q^2
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_';

@@ -36,7 +36,7 @@ class Collector {
   std::string prefix_;
 };
 
-/// Looks at them without saying their names.
+/// Visits the values without building their names.
 struct BoundsCheck {
   void element(const char*, const std::string&) {}
   void add(const char*, const std::string&, double value, double lower = -kInfinity, double upper = kInfinity,
@@ -64,7 +64,7 @@ std::string command_unit(ActuatorKind kind, const JointUnits& units) {
   return kind == ActuatorKind::velocity_servo || kind == ActuatorKind::motion ? units.position + "/s" : units.position;
 }
 
-/// Gains of a servo that makes a voltage are plain counts; a count of kp stands for `gain_unit`.
+/// Gains of a servo that outputs a voltage are plain counts; a count of kp is worth `gain_unit`.
 template <class Collector, class Actuator>
 void collect_motor(Collector& collector, Actuator& actuator, const JointUnits& units) {
   const bool is_servo = actuator.kind == ActuatorKind::voltage_servo;
@@ -146,7 +146,7 @@ void collect_sensor(Collector& collector, Sensor& sensor, const std::string& uni
   collector.add("beacon.z", "m", sensor.beacon.z());
 }
 
-/// A hinge where there is no joint of that name.
+/// Treated as a hinge where there is no joint of that name.
 JointKind joint_kind(const RobotSpec& robot, const std::string& name) {
   const auto found =
       std::find_if(robot.joints.begin(), robot.joints.end(), [&](const JointSpec& j) { return j.name == name; });

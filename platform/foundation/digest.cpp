@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-/// Nothing but memory can be missing.
+/// Only memory can be missing.
 void check(bool done) {
   if (!done) throw std::bad_alloc();
 }

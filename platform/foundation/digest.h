@@ -9,12 +9,12 @@ struct evp_md_ctx_st;
 
 namespace lacuna {
 
-/// SHA-256 of bytes that come piece by piece.
+/// SHA-256 of bytes that arrive in parts.
 class Sha256 {
  public:
   Sha256();
   void add(std::string_view bytes);
-  /// 64 lower-case hexadecimal digits; the end of what can be added.
+  /// 64 lower-case hexadecimal digits; nothing can be added after it.
   std::string hex();
 
  private:

@@ -4,16 +4,16 @@
 
 namespace lacuna {
 
-/// An effect and where it acts.
+/// An effect and its place.
 struct EffectAtPlace {
   std::string effect;
-  std::string place;  ///< "joint.hinge"; "world" for one that acts on no element
+  std::string place;  ///< "joint.hinge"; "world" for an effect on no element
   bool operator==(const EffectAtPlace&) const = default;
 };
 
-/// As rankings and the database name it: "coulomb_friction @ joint.hinge".
+/// As in rankings and the database: "coulomb_friction @ joint.hinge".
 std::string to_string(const EffectAtPlace& effect);
-/// Reads what `to_string` wrote; without a place where there is none.
+/// The inverse of `to_string`; without a place where there is none.
 EffectAtPlace effect_at_place_from(const std::string& text);
 
 }  // namespace lacuna

@@ -4,10 +4,10 @@
 
 namespace lacuna {
 
-/// The inner loops of Eigen's products, which its factorisations call too. They are compiled once, in
-/// eigen_kernels.cpp, with full optimisation. Rooms that are compiled quickly would otherwise bring slow copies of
-/// them, and the linker takes whichever copy comes first. The precompiled headers of the rooms include this file;
-/// nothing depends on it but time.
+/// The inner loops of Eigen's products, which its factorisations call, too. They are compiled once, in
+/// eigen_kernels.cpp, with full optimisation. Otherwise rooms that are compiled without optimisation would contain slow
+/// copies, and the linker would use whichever copy comes first. The precompiled headers of the rooms include this file;
+/// it affects only speed.
 namespace kernels {
 
 using Traits = Eigen::internal::gebp_traits<double, double>;

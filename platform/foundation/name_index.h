@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// Where names stand in a list, for many questions about a long one. The list outlives it and stays as it is.
+/// Index of names in a list, for many look-ups in a long one. The list must outlive it unchanged.
 class NameIndex {
  public:
   NameIndex() = default;

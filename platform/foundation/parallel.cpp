@@ -37,7 +37,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     std::vector<std::jthread> helpers;
     try {
       for (int worker = 1; worker < workers; ++worker) helpers.emplace_back(serve, worker);
-    } catch (const std::system_error&) {  // memory or a limit is used up: fewer threads do the same
+    } catch (const std::system_error&) {  // memory or a limit is used up: fewer threads do the same work
     }
     if (workers > 0) serve(0);
   }

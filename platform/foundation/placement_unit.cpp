@@ -23,7 +23,7 @@ bool is_slider(const RobotSpec& robot, const std::string& joint) {
   });
 }
 
-/// A product that stands behind a division keeps together.
+/// A product in a denominator is kept together.
 std::string in_place(const std::string& unit, char before) {
   return before == '/' && unit.find_first_of("*/") != unit.npos ? "(" + unit + ")" : unit;
 }
@@ -41,7 +41,7 @@ std::string unit_at(const std::string& declared, const RobotSpec& robot, Element
   const auto index = static_cast<std::size_t>(element);
   switch (kind) {
     case ElementKind::joint: return replaced(declared, joint_words(robot.joints[index].kind == JointKind::slider));
-    case ElementKind::actuator: {  // an effect acts behind the gain
+    case ElementKind::actuator: {  // an effect acts after the gain
       ActuatorSpec actuator = robot.actuators[index];
       actuator.relative = false;
       Words words = joint_words(is_slider(robot, actuator.joint));

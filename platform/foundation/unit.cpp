@@ -136,7 +136,8 @@ class UnitParser {
 };
 
 bool takes_prefix(const std::string& unit) {
-  // A prefix stands before the first symbol; squares and grams would need care, so they go without.
+  // The prefix belongs to the first symbol; units with squares and grams get none, because they would need special
+  // care.
   static constexpr std::string_view kLeading[] = {"rad", "m", "s", "N", "V", "A", "W", "J"};
   const std::string first = unit.substr(0, unit.find_first_of("*/^"));
   const bool raised = unit.size() > first.size() && unit[first.size()] == '^';

@@ -11,7 +11,7 @@ namespace lacuna {
 struct Unit {
   double to_si = 1.0;              ///< value in SI = value in this unit × to_si
   std::array<int, 4> exponents{};  ///< of m, kg, s, A; angles have none
-  bool angle = false;              ///< rad, deg, rev by themselves: no shares of 1, as `%` is
+  bool angle = false;              ///< rad, deg, rev by themselves: not shares of 1, unlike `%`
   bool same_dimension(const Unit& other) const { return exponents == other.exponents && angle == other.angle; }
 };
 
@@ -19,11 +19,10 @@ struct Unit {
 /// Nothing if the text is not a unit.
 std::optional<Unit> parse_unit(std::string_view text);
 
-/// Units that stand for themselves in messages of the kind "known units are ...".
+/// Examples of units for messages "known units are ...".
 std::string known_units();
 
-/// A number with its unit and an SI prefix that suits its size: 0.0091 rad → "9.10 mrad".
-/// `digits`: significant digits.
+/// A number with its unit and a suitable SI prefix: 0.0091 rad → "9.10 mrad". `digits`: significant digits.
 std::string format_quantity(double value_in_si, const std::string& unit, int digits = 3);
 
 }  // namespace lacuna

@@ -15,12 +15,12 @@
 #include <string>
 #include <vector>
 
-/// The engine seam: nothing outside `simulation/<engine>/` knows an engine. A model structure is
-/// compiled once; simulations of it take numbers only.
+/// The interface to engines: only `simulation/<engine>/` knows an engine. A model structure is compiled once;
+/// simulations of it take only numbers.
 namespace lacuna {
 
-/// Everything a simulation needs to go on: one flat vector, whose sections `StateLayout` names.
-/// Saving, restoring and continuing is bit-identical to not having stopped.
+/// The complete state of a simulation: one flat vector, whose sections `StateLayout` names. Saving, restoring and
+/// continuing is bit-identical to an uninterrupted run.
 struct State {
   std::vector<double> values;
   bool operator==(const State&) const = default;
@@ -51,23 +51,23 @@ struct SimulationOptions {
   /// Where to start: a saved state, or else joint coordinates at `start_time`.
   const State* from = nullptr;
   StartState start;
-  /// Where the coordinates go on from at `restart_time`, all that has a memory as it is by then; null: nowhere. Those
-  /// that are NaN go on as they are.
+  /// New coordinates at `restart_time`, with all memories as they are then; null: no restart. NaN coordinates continue
+  /// as they are.
   const StartState* restart = nullptr;
   double restart_time = 0.0;  ///< s, on a step
   double start_time = 0.0;    ///< s; commands are functions of the same clock; a saved state has its own
   double end_time = 0.0;      ///< s; the last step begins before it
   std::span<const double>
       output_times;  ///< s, ascending, within [start_time, end_time]; readings between steps are interpolated linearly
-  /// Asked after each output sample with its readings; true abandons the simulation. Must not allocate.
+  /// Called after each output sample with its readings; true abandons the simulation. Must not allocate.
   std::function<bool(std::size_t sample, std::span<const double> readings)> stop_when;
   std::optional<SensorImperfections>
       imperfections;  ///< none: ideal readings (delay, effects, scale and offset still apply)
   bool record_commands =
-      false;  ///< also return the commands as sent (before delay, gain, effects), a row an output sample
-  bool record_centre_of_mass = false;  ///< also return the whole robot's centre of mass, a row an output sample
+      false;  ///< also return the commands as sent (before delay, gain, effects), one row per output sample
+  bool record_centre_of_mass = false;  ///< also return the whole robot's centre of mass, one row per output sample
   bool save_final_state = false;
-  bool record_lateness = false;  ///< also return by how much the readings are late
+  bool record_lateness = false;  ///< also return the delay of the readings
 };
 
 enum class Ending { completed, stopped, invalid };
@@ -77,22 +77,21 @@ struct SimulationResult {
   std::string reason;         ///< why it is invalid, a sentence
   TimeSeries readings;        ///< output times × sensor channels; rows after an early end are NaN
   TimeSeries commands;        ///< if asked for
-  TimeSeries centre_of_mass;  ///< if asked for: x, y, z in the world, m
+  TimeSeries centre_of_mass;  ///< if requested: x, y, z in the world, m
   State final_state;          ///< if asked for
-  /// If asked for: by how much later than the motion each channel is where the simulation starts, or where it goes on
-  /// from another state, s.
+  /// If requested: delay of each channel behind the motion at the start of the simulation, or at its restart, s.
   std::vector<double> lateness;
   std::uint64_t steps = 0;  ///< integration steps taken
 };
 
-/// Memory that one thread simulates in. Belongs to the model that made it.
+/// Memory for simulations by one thread. Belongs to the model that made it.
 class Workspace {
  public:
   virtual ~Workspace() = default;
 };
 
-/// Const and shared by threads, each with a workspace of its own. The same arguments give the
-/// same bits, whatever the workspace did before.
+/// Const and shared by threads, each with its own workspace. The same arguments give the same bits, whatever the
+/// workspace did before.
 class CompiledModel {
  public:
   virtual ~CompiledModel() = default;
@@ -100,25 +99,24 @@ class CompiledModel {
   virtual const std::vector<Channel>& channels() const = 0;        ///< sensor channels, spec order
   virtual const std::vector<Coordinate>& coordinates() const = 0;  ///< joint coordinates
   virtual const StateLayout& state_layout() const = 0;             ///< without the controller's section
-  /// Whether delays, lags or effects remember commands, readings or motion from before the present step.
+  /// Whether delays, lags or effects keep commands, readings or motion from earlier steps.
   virtual bool has_memory() const = 0;
   virtual double step() const = 0;  ///< s, of integration
   virtual std::unique_ptr<Workspace> make_workspace() const = 0;
 
-  /// Carries `test.drive` out for the given parameter values. Throws `Error` for arguments that
-  /// do not fit the model (wrong counts, unknown actuator names); what happens inside the
-  /// simulation (values out of their bounds, explosion, NaN, an engine error, an exception of an effect) makes the
-  /// result `invalid` and leaves the workspace usable. `result` is overwritten and its memory reused.
+  /// Simulates `test.drive` with the given parameter values. Throws `Error` for arguments that do not match the model
+  /// (wrong counts, unknown actuator names). A failure inside the simulation (values out of their bounds, explosion,
+  /// NaN, an engine error, an exception of an effect) makes the result `invalid` and leaves the workspace usable.
+  /// `result` is overwritten and its memory reused.
   virtual void simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
                         Workspace& workspace, SimulationResult& result) const = 0;
 };
 
-/// The engine that moves a robot where the settings leave it open: "articulated", but "ode" where bodies may touch the
-/// ground.
+/// The default engine of a robot: "articulated", but "ode" where bodies may touch the ground.
 std::string engine_for(const RobotSpec& robot);
 
-/// Compiles for the engine that the settings name; what they leave open is `engine_for` the robot and one substep.
-/// Throws `Error`: unknown engine, addresses that match nothing, a robot that is not a forest, values out of bounds.
+/// Compiles for the engine in the settings; the default is `engine_for` the robot with one substep. Throws `Error`:
+/// unknown engine, addresses without a match, a robot that is not a forest, values out of bounds.
 std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings);
 
 }  // namespace lacuna

@@ -19,26 +19,25 @@ struct PlacedEffect {
   const PhysicalEffect* effect = nullptr;
   ElementKind kind = ElementKind::world;
   std::vector<int> elements;   ///< indices into the robot's list of that kind
-  std::vector<double> values;  ///< one a declared parameter
-  std::filesystem::path file;  ///< the plugin's; empty: part of the program
+  std::vector<double> values;  ///< one per declared parameter
+  std::filesystem::path file;  ///< the plugin's; empty: built into the program
 };
 
-/// The effect's component, as messages name it.
+/// The effect's component, as named in messages.
 inline ComponentOrigin origin_of(const PlacedEffect& placed) {
   return {.kind = "effect", .name = placed.name, .file = placed.file};
 }
 
-/// A number that comes anew with each simulation. Its address is one of `addressed_values`
-/// (foundation/address.h) or `effect.<id>.<parameter>`.
+/// A number that is given for each simulation. Its address is one of `addressed_values` (foundation/address.h) or
+/// `effect.<id>.<parameter>`.
 struct VariableParameter {
   std::string address;
   double lower = 0.0;  ///< bounds the size of delay lines and effect states
   double upper = 0.0;
-  std::string setup =
-      {};  ///< the only setup that it belongs to; empty: all that give the address no value of their own
+  std::string setup = {};  ///< the only setup that it belongs to; empty: all without their own value for the address
 };
 
-/// What an engine compiles. All strings are resolved then; none is looked at afterwards.
+/// The input of an engine's compilation. All strings are resolved then and not used afterwards.
 struct ModelStructure {
   RobotSpec robot;
   std::vector<PlacedEffect> effects;          ///< any order; the engine sorts them

@@ -38,7 +38,7 @@ int landlock_version() {
   return static_cast<int>(syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION));
 }
 
-/// All that the kernel can refuse.
+/// All rights that the kernel can restrict.
 Ruleset everything(int version) {
   Ruleset rules{kOfFirstVersion, 0};
   if (version >= kVersionWithMoves) rules.files |= kMoveBetweenFolders;
@@ -51,7 +51,7 @@ Ruleset everything(int version) {
   throw Error(fmt::format("lacuna mcp: the kernel's file sandbox cannot be entered: {}: {}", what, strerror(errno)));
 }
 
-/// A descriptor that is closed.
+/// A descriptor that is closed at the end of its scope.
 class Handle {
  public:
   explicit Handle(int number) : number_(number) {}
@@ -66,7 +66,7 @@ class Handle {
   int number_;
 };
 
-/// What is not there needs no rule.
+/// Missing folders need no rule.
 void allow(const Handle& ruleset, const std::filesystem::path& place, std::uint64_t rights) {
   const Handle at(open(place.c_str(), O_PATH | O_CLOEXEC));
   struct stat kind {};

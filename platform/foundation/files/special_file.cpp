@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kReaderComes = 3.0;  // s, as where a shell begins both at once
+constexpr double kReaderComes = 3.0;  // s, as where a shell starts both at once
 constexpr double kLook = 0.05;        // s
 
 }  // namespace

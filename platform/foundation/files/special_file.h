@@ -5,18 +5,18 @@
 
 namespace lacuna {
 
-/// What a name leads to that is neither a regular file nor a folder: "a pipe", "a socket", "a device", "a disk"; empty
-/// where it is one of these or nothing is there.
+/// The kind of a file that is neither regular nor a folder: "a pipe", "a socket", "a device", "a disk"; empty for
+/// these, or where there is no file.
 std::string special_file(const std::filesystem::path& file);
 
-/// Whether it is a pipe without a name in a folder, as /dev/stdin and a shell's <(command) are: its writer is there.
+/// Whether it is a pipe without a name in a folder, such as /dev/stdin and a shell's <(command): its writer exists.
 bool is_unnamed_pipe(const std::filesystem::path& file);
 
-/// Why nothing that is to be read whole can lie there: "is a pipe, not a regular file", "no such file", ...; empty: it
-/// can. Opening a pipe would wait for whoever writes to it, and a device may have no end.
+/// Why a file of that name cannot be read whole: "is a pipe, not a regular file", "no such file", ...; empty: it can.
+/// Opening a pipe would wait for its writer, and a device may have no end.
 std::string why_no_regular_file(const std::filesystem::path& file);
 
-/// Opens a pipe to write to, whose reader may come within seconds. Below 0: `errno` says why not; ENXIO: nobody reads.
+/// Opens a pipe for writing, whose reader may come within seconds. Below 0: `errno` says why not; ENXIO: no reader.
 /// Throws `Interrupted` while it waits.
 int open_pipe_to_reader(const std::filesystem::path& file);
 

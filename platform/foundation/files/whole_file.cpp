@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kNewFile = 0666;  // without what the umask takes away
+constexpr mode_t kNewFile = 0666;  // minus the umask
 constexpr mode_t kPermissions = 07777;
 
 constexpr const char* kNobodyReads = "it is a pipe without a reader; start its reader first, or name a file";
@@ -37,14 +37,14 @@ constexpr const char* kNobodyReads = "it is a pipe without a reader; start its r
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// /dev/stdout and the like: links to descriptors, which lead to no file that could be replaced.
+/// /dev/stdout and the like: links to descriptors, not to a file that could be replaced.
 bool names_descriptor(const fs::path& file) {
   std::error_code none;
   const std::string folder = fs::canonical(folder_of(file), none).string();
   return folder == "/dev" || folder.starts_with("/proc/");
 }
 
-/// The file that a name stands for. It is a link itself only where links lead in a circle.
+/// The file that a name leads to. It is a link itself only where links form a circle.
 fs::path end_of_links(fs::path file) {
   constexpr int kMostLinks = 40;  // as many as Linux follows
   std::error_code none;
@@ -53,7 +53,7 @@ fs::path end_of_links(fs::path file) {
   return file;
 }
 
-/// Such a link leads to no file: it is damaged, or another one was meant, and is not replaced.
+/// Such a link leads to no file: it is damaged, or another one was meant, so it is not replaced.
 bool is_circle(const fs::path& target) {
   std::error_code none;
   return fs::is_symlink(target, none) && !names_descriptor(target);
@@ -74,8 +74,8 @@ int open_directly(const fs::path& target) {
                          : ::open(target.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
 }
 
-/// Whether somebody reads from a pipe. Its reader would see an end if the pipe were closed again before it is written
-/// to; so it stays open until the process ends.
+/// Whether a pipe has a reader. The reader would see an end if the pipe were closed again before the first write, so it
+/// stays open until the process ends.
 std::optional<std::string> why_not_writable_pipe(const fs::path& target) {
   if (open_pipe_to_reader(target) >= 0) return std::nullopt;
   return errno == ENXIO ? kNobodyReads : std::strerror(errno);
@@ -84,9 +84,9 @@ std::optional<std::string> why_not_writable_pipe(const fs::path& target) {
 constexpr std::size_t kDigits = 8;  // behind the machine's
 constexpr std::chrono::hours kOld{1};
 
-/// Begins the names of this machine's drafts: on some network file systems no other one sees the locks on them.
+/// Beginning of the names of this machine's drafts: on some network file systems other machines do not see their locks.
 std::string kind_of_draft() { return ".lacuna-" + digits_of_this_machine(); }
-/// Of those that a library writes, on which this program holds no lock. They have their process's number instead.
+/// Of drafts that a library writes, on which this program holds no lock. They have their process's number instead.
 std::string kind_of_librarys() { return kind_of_draft() + "-"; }
 std::string kind_of_own_librarys() {
   return fmt::format("{}{}-{}-", kind_of_librarys(), digits_of_this_start(), ::getpid());
@@ -97,7 +97,7 @@ fs::path unused_name(const fs::path& folder, const std::string& kind) {
   return folder / fmt::format("{}{:08x}", kind, random());
 }
 
-/// Whoever writes a draft holds this lock on it, which ends with the process.
+/// The writer of a draft holds this lock on it until the process ends.
 bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
 bool is_old(const fs::path& draft) {
@@ -106,7 +106,7 @@ bool is_old(const fs::path& draft) {
   return !gone && fs::file_time_type::clock::now() - changed > kOld;
 }
 
-/// Whether the process that a library's draft names has ended; false where it cannot be told.
+/// Whether the process in the name of a library's draft has ended; false where this is unknown.
 bool has_lost_process(const std::string& name) {
   const std::string here = kind_of_librarys() + digits_of_this_start() + "-";
   if (digits_of_this_start().empty() || !name.starts_with(here)) return false;
@@ -114,7 +114,7 @@ bool has_lost_process(const std::string& name) {
   return process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
-/// Of this machine, whose process may have ended.
+/// A draft of this machine whose process may have ended.
 bool may_be_stale(const fs::path& draft) {
   const std::string name = draft.filename().string(), kind = kind_of_draft();
   if (name.starts_with(kind_of_librarys())) return has_lost_process(name) || is_old(draft);
@@ -137,7 +137,7 @@ void keep_owner_and_permissions(int descriptor, const struct stat& old) {
   struct stat now {};
   if (::fstat(descriptor, &now) == 0 && (now.st_uid != old.st_uid || now.st_gid != old.st_gid) &&
       ::fchown(descriptor, old.st_uid, old.st_gid) != 0) {
-    // Only root may give a file away; for others the new file is theirs.
+    // Only root can give a file away; for other users the new file is their own.
   }
   ::fchmod(descriptor, old.st_mode & kPermissions);
 }
@@ -149,7 +149,7 @@ struct Draft {
 
 Draft open_draft(const fs::path& folder, mode_t mode) {
   remove_stale_drafts(folder);
-  if (::access("/proc/self/fd", X_OK) == 0) {  // through which a file without a name gets one
+  if (::access("/proc/self/fd", X_OK) == 0) {  // path by which an unnamed file gets a name
     const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
     if (unnamed >= 0 && lock(unnamed)) return {unnamed, {}};
     if (unnamed >= 0) ::close(unnamed);
@@ -157,7 +157,7 @@ Draft open_draft(const fs::path& folder, mode_t mode) {
   const fs::path name = unused_name(folder, kind_of_draft());
   const int named = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
   if (named < 0) return {};
-  lock(named);  // in vain only where another process took it for stale just now: then `publish` says that it is gone
+  lock(named);  // may fail where another process has just removed it as stale: then `publish` reports that it is gone
   return {named, name};
 }
 
@@ -194,13 +194,13 @@ void WholeFile::finish() {
               (direct_ ? "" : "; the previous content is kept"));
 }
 
-/// False where something has that name.
+/// False where a file has that name.
 bool WholeFile::give_name(const fs::path& name) {
   const std::string descriptor = fmt::format("/proc/self/fd/{}", buffer_->fd());
   return ::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
-/// The same for a draft that has a name already. Some file systems have no links, others no such renaming.
+/// The same for a draft with a name. Some file systems have no links, others no such renaming.
 bool WholeFile::rename_draft(const fs::path& name) {
   if (::renameat2(AT_FDCWD, draft_.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) {
     draft_.clear();
@@ -215,7 +215,7 @@ void WholeFile::name_draft(const std::string& kind) {
   draft_ = name;
 }
 
-/// On some network file systems the lock of one descriptor keeps another one of the same process from the file.
+/// On some network file systems one descriptor's lock blocks another one of the same process.
 const fs::path& WholeFile::named_draft() {
   name_draft(kind_of_own_librarys());
   ::flock(buffer_->fd(), LOCK_UN);

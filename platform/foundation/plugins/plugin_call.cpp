@@ -38,8 +38,7 @@ struct Page {
 };
 static_assert(std::atomic<CallSlot*>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free);
 
-/// Without shared memory the calls are recorded all the same, for this process alone. What is not touched takes no
-/// memory.
+/// Without shared memory the calls are still recorded, for this process alone. Untouched pages take no memory.
 Page* map_page() {
   void* memory = mmap(nullptr, sizeof(Page), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) memory = ::operator new (sizeof(Page), std::align_val_t{alignof(Page)});
@@ -51,7 +50,7 @@ Page& page() {
   return *mapped;
 }
 
-/// For threads that find no slot.
+/// For threads without a slot.
 CallSlot& spare_slot() {
   thread_local CallSlot spare;
   return spare;
@@ -63,7 +62,8 @@ CallSlot& take_slot() {
   return spare_slot();
 }
 
-/// Gives the slot back with the thread. One that is in a call at its end has called `exit`; its slot still tells where.
+/// Returns the slot at the end of the thread. A thread that ends in a call has called `exit`; its slot still shows
+/// where.
 struct SlotLease {
   CallSlot& slot = take_slot();
   ~SlotLease() {
@@ -73,7 +73,7 @@ struct SlotLease {
   }
 };
 
-/// What a process says of those that it has forked; those that are forked later have a copy.
+/// Records that a process shares with those it forks; processes forked later have a copy.
 std::vector<RefusedComponent>& refused_components() {
   static auto* const refused = new std::vector<RefusedComponent>;
   return *refused;
@@ -89,7 +89,7 @@ void blame_this_thread() {
     PluginLibraries::blame_this_thread();
 }
 
-/// The signal is raised again with what it does by default, so that core files and exit status are what they would be.
+/// The signal is raised again with its default action, so that core files and exit status are as usual.
 void on_crash(int signal) {
   blame_this_thread();
   std::raise(signal);
@@ -191,7 +191,7 @@ void CallPage::clear() {
   page().culprit = nullptr;
   own_call_slot().component = nullptr;
   own_call_slot().evaluations = 0;
-  own_call_slot().taken = true;  // the other process's thread of this slot may have given it back
+  own_call_slot().taken = true;  // the other process's thread of this slot may have returned it
 }
 
 void CallPage::watch_this_process() {
@@ -209,7 +209,7 @@ void CallPage::watch_this_process() {
 }
 
 void CallPage::watch_exits() {
-  // Other threads go on: what they use must not be destroyed under them, or their crash would hide the exit.
+  // Other threads continue: their data must not be destroyed, or their crash would hide the exit.
   on_exit(
       [](int status, void*) {
         if (is_closed()) return;

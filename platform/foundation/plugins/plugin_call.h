@@ -8,28 +8,28 @@
 
 namespace lacuna {
 
-/// What a thread is about to do in a plugin. It lies in memory that processes share which are forked later, so that
-/// one can tell in which call the other ended, whatever ended it.
+/// The plugin call of a thread. It is in memory shared with processes that are forked later, so that one can tell in
+/// which call the other ended, whatever the cause.
 struct alignas(64) CallSlot {
   std::atomic<const char*> component = nullptr;  ///< as `component_on_page` gave it; null: no plugin is called
   std::atomic<const char*> call = nullptr;       ///< a literal, as in "add_loads"
   std::atomic<bool> taken = false;
-  std::atomic<std::uint32_t> evaluations = 0;  ///< under way in this thread, one inside the other
-  std::atomic<std::uint32_t> ticks = 0;        ///< evaluations begun and ended; that of the thread alone writes it
+  std::atomic<std::uint32_t> evaluations = 0;  ///< nested calls in progress in this thread
+  std::atomic<std::uint32_t> ticks = 0;        ///< number of evaluations begun plus ended; written only by that thread
   std::atomic<std::uint32_t> calls = 0;        ///< begun; the same
-  std::atomic<double> allowance = 0.0;         ///< s, by which the present call may take longer than others
+  std::atomic<double> allowance = 0.0;         ///< s, by which the current call may take longer than others
 };
 
 extern thread_local constinit CallSlot* own_call_slot_or_null;
 CallSlot& take_call_slot();
 
-/// The slot of this thread, which has it until it ends.
+/// The slot of this thread, until it ends.
 inline CallSlot& own_call_slot() {
   return own_call_slot_or_null != nullptr ? *own_call_slot_or_null : take_call_slot();
 }
 
-/// A component's text where the processes that are forked later see it, and the one that forked this one does. Equal
-/// texts have equal addresses. Takes a lock: ask once and keep the pointer.
+/// A component's text in memory shared with the processes that are forked later and with the one that forked this one.
+/// Equal texts have equal addresses. Takes a lock: call it once and keep the pointer.
 const char* component_on_page(const std::string& component);
 
 /// A slot with what stood in it.
@@ -56,7 +56,7 @@ class SlotBefore {
   const char* call_;
 };
 
-/// While it lives, this thread calls plugins; what it did before is restored with its end.
+/// During its lifetime, this thread calls plugins; its end restores the previous state.
 class PluginCall {
  public:
   PluginCall(const char* component, const char* call) noexcept : before_(own_call_slot()) {
@@ -73,9 +73,8 @@ class PluginCall {
   SlotBefore before_;
 };
 
-/// Calls of plugins by the thread that made it, one after another, for loops that cannot afford a `PluginCall` each.
-/// What the thread did before is restored by `leave`, not by its end: it may be kept, and be made anew by another
-/// thread.
+/// Repeated calls of plugins by the thread that made it, for loops that cannot afford a `PluginCall` each. `leave`, not
+/// its end, restores the previous state: it may be kept, and be started again by another thread.
 class CallSequence {
  public:
   CallSequence() noexcept : before_(own_call_slot()) {}
@@ -87,14 +86,13 @@ class CallSequence {
   SlotBefore before_;
 };
 
-/// While it lives, this thread works for the host, be it that a plugin asked for it.
+/// During its lifetime, this thread works for the host, even if a plugin asked for it.
 class HostCall : private PluginCall {
  public:
   HostCall() noexcept : PluginCall(nullptr, nullptr) {}
 };
 
-/// While it lives, calls of this thread may take longer by so many seconds than others, such as a test that a rig
-/// carries out.
+/// During its lifetime, calls of this thread may take longer by so many seconds than others, such as a test on a rig.
 class CallAllowance {
  public:
   explicit CallAllowance(double seconds) noexcept : slot_(own_call_slot()), before_(slot_.allowance) {
@@ -109,8 +107,8 @@ class CallAllowance {
   double before_;
 };
 
-/// While it lives, this thread evaluates a model: what another process may end when it takes too long. One inside
-/// another counts as progress of the outer one.
+/// During its lifetime, this thread evaluates a model, which another process may end when it takes too long. A nested
+/// one counts as progress of the outer one.
 class Evaluation {
  public:
   Evaluation() noexcept : slot_(own_call_slot()) { step(1); }
@@ -128,7 +126,7 @@ class Evaluation {
   CallSlot& slot_;
 };
 
-/// A call as one process finds it after the other's end.
+/// A call, as one process finds it after the other's end.
 struct ActiveCall {
   std::string component;
   std::string call;
@@ -143,52 +141,53 @@ struct BusyThread {
   std::uint32_t calls = 0;
 };
 
-/// A component that is not to be used any more.
+/// A component that must not be used any more.
 struct RefusedComponent {
-  std::string component;  ///< as messages name it
+  std::string component;  ///< as named in messages
   std::string reason;     ///< a sentence
 };
 
-/// What is remembered of a process that ended; the pointers lie on pages that both have.
+/// The record of a process that ended; the pointers refer to pages that both processes have.
 class CallPage {
  public:
-  /// Before a process is forked that is to be watched, while this one has one thread. What an earlier one left is
-  /// forgotten.
+  /// Call before forking a process to be watched, while this process has one thread. Clears the record of an earlier
+  /// one.
   static void prepare();
-  /// The calls that threads were in; only that of the thread that ended the process, where it is known. Each once.
+  /// The calls in which threads were; only that of the thread that ended the process, where it is known. Each once.
   static std::vector<ActiveCall> active();
-  /// What a thread is in; empty texts: nothing of a plugin.
+  /// The call of a thread; empty texts: it was in no plugin.
   static ActiveCall call_of(const CallSlot& slot);
   /// All threads that are in a call or in an evaluation.
   static std::vector<BusyThread> busy();
-  /// Forgets what a process that this thread forked has left.
+  /// Clears the record of a process that this thread forked.
   static void clear();
 
-  /// How long an evaluation may take, s; the process that watches this one ends it then. 0: as long as it likes.
+  /// Time limit of an evaluation, s; the process that watches this one ends it then. 0: none.
   static void limit_evaluations(double seconds);
   static double evaluation_limit();
 
-  /// Which piece of its work the process is at, for the one that watches it.
+  /// The current piece of work, for the process that watches this one.
   static void set_task(std::uint32_t task);
   static std::uint32_t task();
 
-  /// The work can be begun anew without a component that has ended it (`refused`), and goes on from where it was.
+  /// The work can be restarted without a component that ended it (`refused`), and continues from where it was.
   static void allow_new_beginning(bool allowed);
   static bool allows_new_beginning();
-  /// From now on neither this process nor one that it forks begins anew: what it works on was handed to it once.
+  /// From now on neither this process nor one that it forks can restart: its input was given only once.
   static void never_begin_anew();
   /// For processes that are forked later.
   static void refuse(const RefusedComponent& component);
   static std::optional<std::string> refusal_of(const std::string& component);
 
-  /// From now on a thread of this process that calls `exit`, aborts or crashes is remembered as the one, and the plugin
-  /// library that it was in (foundation/plugins/plugin_libraries.h). A signal that
-  /// something else has a handler for, such as a sanitizer, is left alone.
+  /// From now on a thread of this process that calls `exit`, aborts or crashes is recorded, with the plugin library
+  /// that it was in (foundation/plugin_libraries.h). A signal with another handler, such as a sanitizer's, is left
+  /// alone.
   static void watch_this_process();
-  /// The same for `exit` alone, once more: what is registered later runs earlier, before the ends of plugins.
+  /// The same for `exit` only, registered again: handlers that are registered later run earlier, before the destructors
+  /// of plugins.
   static void watch_exits();
 
-  /// The process is about to end as it should, with this exit code.
+  /// The process is about to end normally, with this exit code.
   static void close(int exit_code);
   static bool is_closed();
   static int exit_code();

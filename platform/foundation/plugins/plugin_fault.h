@@ -8,7 +8,7 @@ namespace lacuna {
 inline constexpr std::string_view kFaultOfPlugin =
     "; that is a fault of the plugin: repair it or leave this component out";
 
-/// Whether a sentence says that a plugin failed, rather than that it refused what it was asked for.
+/// Whether a sentence reports a failure of a plugin, not its refusal of a request.
 inline bool blames_plugin(std::string_view reason) {
   return reason.find("that is a fault of the plugin") != std::string_view::npos ||
          reason.find("repair the plugin") != std::string_view::npos;

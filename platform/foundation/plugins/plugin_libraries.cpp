@@ -19,14 +19,14 @@ namespace {
 constexpr std::size_t kMostLibraries = 512;
 constexpr int kMostFrames = 64;
 
-/// Not initialised, so that those that are not used take no memory.
+/// Not initialised, so that unused entries take no memory.
 struct Library {
   std::uintptr_t begin, end;  ///< of its code and data
   bool of_program;
   std::array<char, PATH_MAX> file;
 };
 
-/// Memory that processes share which are forked later.
+/// Memory shared with processes that are forked later.
 struct LibraryPage {
   std::atomic<std::size_t> count = 0;
   std::atomic<const Library*> culprit = nullptr;
@@ -35,7 +35,7 @@ struct LibraryPage {
 
 LibraryPage* library_page = nullptr;
 
-/// Where the object that holds an address begins and ends.
+/// The address range of the loaded object that contains an address.
 struct Extent {
   std::uintptr_t address = 0;
   std::uintptr_t begin = 0, end = 0;
@@ -79,7 +79,7 @@ void PluginLibraries::prepare() {
   if (library_page == nullptr) {
     void* const memory =
         mmap(nullptr, sizeof(LibraryPage), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (memory == MAP_FAILED) return;  // nobody is named then
+    if (memory == MAP_FAILED) return;  // then none is named
     library_page = new (memory) LibraryPage;
   }
   library_page->count = 0;
@@ -87,7 +87,7 @@ void PluginLibraries::prepare() {
   program.address = place_of(reinterpret_cast<const void*>(&PluginLibraries::prepare));
   dl_iterate_phdr(look_for_extent, &program);
   std::array<void*, 1> frame{};
-  backtrace(frame.data(), 1);  // the first time it loads what it needs, which no handler of a signal may
+  backtrace(frame.data(), 1);  // the first call loads what it needs, which a signal handler must not do
 }
 
 void PluginLibraries::add(const void* address, const std::string& file, bool of_program) {
@@ -108,7 +108,7 @@ void PluginLibraries::blame_this_thread() noexcept {
   const int count = backtrace(frames.data(), kMostFrames);
   const auto begin = frames.begin(), end = frames.begin() + count;
   for (auto frame = std::find_if_not(begin, end, is_of_program); frame != end; ++frame) {
-    if (is_of_program(*frame)) return;  // what a plugin has asked for is the program's own
+    if (is_of_program(*frame)) return;  // code that a plugin asked for is the program's own
     const Library* const library = library_of(*frame);
     if (library == nullptr) continue;
     const Library* nobody = nullptr;

@@ -29,11 +29,11 @@ using Clock = std::chrono::steady_clock;
 constexpr off_t kMostText = 1 << 16;
 constexpr off_t kMostWritten = 1 << 24;
 constexpr std::chrono::milliseconds kBetweenLooks{100};
-constexpr double kLongestWait = 1e9;  // s, which a clock that counts nanoseconds can tell
+constexpr double kLongestWait = 1e9;  // s, representable by a clock that counts nanoseconds
 constexpr int kMostLooks = 50;
 constexpr std::chrono::milliseconds kShortestPause{1}, kLongestPause{10};
 
-/// What `posix_spawn` is told.
+/// The settings of `posix_spawn`.
 class SpawnOrders {
  public:
   explicit SpawnOrders(const ChildBeginning& beginning) {
@@ -68,7 +68,7 @@ class SpawnOrders {
   posix_spawnattr_t attributes_{};
 };
 
-/// Words as C takes them, with a null at their end.
+/// Words as a C array with a null at its end.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -76,7 +76,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// A variable that all that a child begins inherits.
+/// A variable that all descendants of a child inherit.
 std::string new_mark() {
   static std::atomic<unsigned> children = 0;
   static const auto begun = std::chrono::system_clock::now().time_since_epoch().count();
@@ -101,7 +101,7 @@ double processor_seconds(const rusage& used) {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// Whether it has ended, which it keeps to tell until it is waited for: so long nobody else has its number.
+/// Whether it has ended. Its number stays reserved until it is waited for.
 bool is_over(pid_t process) {
   siginfo_t told{};
   return waitid(P_PID, static_cast<id_t>(process), &told, WEXITED | WNOHANG | WNOWAIT) != 0 || told.si_pid == process;
@@ -111,7 +111,7 @@ bool is_over(pid_t process) {
 
 CapturedOutput::CapturedOutput(const char* name) : file_(memfd_create(name, MFD_CLOEXEC)) {
   if (file_ < 0) throw Error(fmt::format("no memory for a program's output: {}", strerror(errno)));
-  fcntl(file_, F_SETFL, O_APPEND);  // a child shares the place in the file, which is moved here
+  fcntl(file_, F_SETFL, O_APPEND);  // a child shares the position in the file, which is moved here
   keeper_ = std::jthread([this](const std::stop_token& stop) {
     std::mutex unused;
     std::unique_lock lock(unused);
@@ -136,7 +136,8 @@ std::string CapturedOutput::end() const {
 void CapturedOutput::forget() {
   const off_t to = lseek(file_, 0, SEEK_END) - kMostText;
   if (to - forgotten_ < kMostWritten) return;
-  // A hole, for a file that is cut short loses what is written between reading its end and cutting it.
+  // Leaves a hole instead of truncating the file, which would lose bytes written between reading its end and truncating
+  // it.
   if (fallocate(file_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, to) == 0) forgotten_ = to;
 }
 
@@ -181,7 +182,7 @@ std::optional<ChildEnding> ChildProgram::ended_within(double seconds) {
   return ended();
 }
 
-/// Its group, and what left the group. What is begun while one looks is found by the next look.
+/// Its group, and processes that left the group. A process that starts during one pass is found by the next.
 void ChildProgram::end_what_it_began() {
   kill(-process_, SIGKILL);
   for (int look = 0; look < kMostLooks; ++look) {

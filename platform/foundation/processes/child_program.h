@@ -11,18 +11,18 @@
 
 namespace lacuna {
 
-/// A file in memory that a child writes to. All but the end of what it wrote is forgotten again and again, so that one
-/// that is never silent fills no memory, whatever this program does meanwhile.
+/// A file in memory that a child writes to. All but the end of the output is dropped again and again, so that a verbose
+/// child fills no memory, whatever this program does meanwhile.
 class CapturedOutput {
  public:
-  /// Throws `Error` where there is no room for it.
+  /// Throws `Error` where there is no memory for it.
   explicit CapturedOutput(const char* name);
   ~CapturedOutput();
   CapturedOutput(const CapturedOutput&) = delete;
   CapturedOutput& operator=(const CapturedOutput&) = delete;
 
   int file() const { return file_; }
-  /// The last 64 KiB of what was written.
+  /// The last 64 KiB of the output.
   std::string end() const;
 
  private:
@@ -33,10 +33,10 @@ class CapturedOutput {
   std::jthread keeper_;
 };
 
-/// How a child is begun.
+/// Settings for starting a child.
 struct ChildBeginning {
   std::vector<std::string> words;  ///< the program, with its path or to be looked for in PATH, and its arguments
-  std::filesystem::path folder;    ///< that it works in; empty: this process's
+  std::filesystem::path folder;    ///< working folder; empty: this process's
   std::map<std::string, std::string> environment;  ///< variables besides those of this process
   int input = -1;                                  ///< descriptor; -1: nothing to read
   int output = -1, errors = -1;                    ///< -1: nowhere
@@ -44,38 +44,37 @@ struct ChildBeginning {
 
 /// How a child ended.
 struct ChildEnding {
-  int status = 0;  ///< as `wait` tells it
+  int status = 0;  ///< status from `wait`
   double processor_seconds = 0.0;
 
-  int code() const;            ///< of the exit; 128 + signal where one ended it
+  int code() const;            ///< of the exit; 128 + signal where a signal ended it
   std::string phrase() const;  ///< "ended with exit code 3", "was ended by signal 11 (Segmentation fault)"
-  /// Of what did that to a process of this program: "ended the program with exit code 3", "ended the program by signal
-  /// 11 (Segmentation fault)".
+  /// The cause of the end of a process of this program: "ended the program with exit code 3", "ended the program by
+  /// signal 11 (Segmentation fault)".
   std::string deed() const;
 };
 
-/// The variable that all that a child begins has in its environment.
+/// The variable that all descendants of a child have in their environment.
 inline constexpr const char* kChildMark = "LACUNA_CHILD";
 
-/// A program that runs beside this one, in a process group of its own, so that an interrupt at the terminal reaches
-/// this process alone and the child's own children end with it, those too that take another group or session. One
-/// thread.
+/// A program that runs beside this one, in a separate process group, so that an interrupt at the terminal reaches only
+/// this process, and the child's descendants end with it, even those in another group or session. One thread.
 class ChildProgram {
  public:
   /// Throws `Error` where it cannot be started.
   explicit ChildProgram(const ChildBeginning& beginning);
-  /// Ends it at once, where it still runs.
+  /// Ends it at once, if it still runs.
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// How it ended; nothing while it runs. What it left running is ended with it.
+  /// How it ended; nothing while it runs. Processes that it left running are ended, too.
   std::optional<ChildEnding> ended();
-  /// The same, after waiting for `seconds` at most.
+  /// The same, after waiting for at most `seconds`.
   std::optional<ChildEnding> ended_within(double seconds);
   /// Asks it and its group to end (SIGTERM), and does not wait.
   void ask_to_end();
-  /// Asks it to end (SIGTERM), and ends it (SIGKILL) when `grace` s did not suffice.
+  /// Asks it to end (SIGTERM), and ends it (SIGKILL) if it still runs after `grace` s.
   ChildEnding end(double grace);
 
  private:

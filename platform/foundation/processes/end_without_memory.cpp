@@ -13,7 +13,7 @@ namespace {
 std::atomic<void (*)()> last_act = nullptr;
 std::terminate_handler usual_end = nullptr;
 
-/// Where not even an exception could be made, there is none.
+/// There is no exception if not even one could be made.
 bool is_out_of_memory() {
   const std::exception_ptr thrown = std::current_exception();
   if (!thrown) {

@@ -8,8 +8,8 @@
 
 namespace lacuna {
 
-/// How this thread's processor computes with floating-point numbers: rounding, what becomes of numbers near zero, which
-/// errors are trapped. What it has met so far, such as an inexact result, is none of it.
+/// Settings of this thread's processor for floating-point numbers: rounding, numbers near zero, trapped errors. Without
+/// status flags, such as for an inexact result.
 inline std::uint32_t floating_point_control() noexcept {
 #if defined(__x86_64__)
   constexpr std::uint32_t kWithoutFlags = 0xFFC0;
@@ -23,14 +23,14 @@ inline std::uint32_t floating_point_control() noexcept {
 #endif
 }
 
-/// What it is in this program; before anything has set it, what a program begins with.
+/// The settings of this program; until they are set, those at the program's start.
 #if defined(__x86_64__)
 inline constinit std::uint32_t usual_floating_point_control = 0x1F80;
 #else
 inline constinit std::uint32_t usual_floating_point_control = 0;
 #endif
 
-/// A few instructions: for after each call of a plugin.
+/// Takes a few instructions: for use after each call of a plugin.
 inline bool floating_point_is_usual() noexcept { return floating_point_control() == usual_floating_point_control; }
 
 }  // namespace lacuna

@@ -26,7 +26,7 @@ std::string fault(std::string_view what, const std::string& thrown) {
   return std::string(what) + " threw " + thrown + std::string(kFaultOfPlugin);
 }
 
-/// What a plugin's exception says of itself, which is the plugin's code once more.
+/// The text of a plugin's exception; this calls the plugin's code again.
 std::string words_of(const std::exception& error) {
   try {
     const char* const words = error.what();
@@ -36,8 +36,8 @@ std::string words_of(const std::exception& error) {
   }
 }
 
-/// A plugin ends the thread that called it (`pthread_exit`), which goes on in no `catch`: without an end here the
-/// program would wait for that thread for ever, or end as if its work were done.
+/// A plugin that ends its calling thread (`pthread_exit`) reaches no `catch`: without an end here the program would
+/// wait for that thread for ever, or end as if its work were done.
 [[noreturn]] void end_with_thread(std::string_view what) {
   const char* const component = own_call_slot().component;
   const PluginCall call(component, component_on_page(std::string(what) + " ended its thread (pthread_exit), which"));

@@ -13,13 +13,12 @@
 
 namespace lacuna {
 
-/// A component of a plugin, as messages name it.
+/// A component of a plugin, as named in messages.
 struct ComponentOrigin {
-  std::string kind;            ///< "effect", "robot", "metric", "target"
-  std::string name;            ///< the plugin's
-  std::filesystem::path file;  ///< empty: part of the program
-  const char* on_page =
-      nullptr;  ///< where a parent process reads it (foundation/plugins/plugin_call.h); null: not yet there
+  std::string kind;               ///< "effect", "robot", "metric", "target"
+  std::string name;               ///< the plugin's
+  std::filesystem::path file;     ///< empty: built into the program
+  const char* on_page = nullptr;  ///< text for a parent process (foundation/plugin_call.h); null: not set yet
 };
 
 /// `effect "coulomb_friction" (/usr/lib/lacuna/plugins/coulomb_friction.so)`.
@@ -28,12 +27,11 @@ std::string to_string(const ComponentOrigin& origin);
 /// The same for a parent process.
 const char* on_page(const ComponentOrigin& origin);
 
-/// A sentence about the exception that is being handled, whatever its type, as thrown by `origin`
-/// while it did `what` ("add_loads"). Only inside a `catch` block. For callers that must not throw,
-/// such as an engine in the middle of a run.
+/// A sentence about the current exception, whatever its type, as thrown by `origin` in the call `what` ("add_loads").
+/// Only inside a `catch` block. For callers that must not throw, such as an engine in the middle of a run.
 std::string describe_current_exception(const ComponentOrigin& origin, std::string_view what);
 
-/// What a component threw: its text names the component and its file, `reason` does not.
+/// An exception of a component: its text names the component and its file, `reason` does not.
 class ComponentError : public Error {
  public:
   ComponentError(const ComponentOrigin& origin, const std::string& reason)
@@ -44,7 +42,7 @@ class ComponentError : public Error {
   std::string reason_;
 };
 
-/// The same of a component whose call changed the process. `deed` as that of `ProcessChanged`.
+/// The same for a component whose call changed the process. `deed` as in `ProcessChanged`.
 class ComponentChangedProcess : public ComponentError {
  public:
   ComponentChangedProcess(const ComponentOrigin& origin, const ProcessChanged& change)
@@ -55,17 +53,17 @@ class ComponentChangedProcess : public ComponentError {
   std::string deed_;
 };
 
-/// As `ComponentError`, the exception that is being handled. Only inside a `catch` block.
+/// The current exception as `ComponentError`. Only inside a `catch` block.
 [[noreturn]] void throw_component_error(const ComponentOrigin& origin, std::string_view what);
 
-/// What is wrong, without the place in a file, the key and the component: for where these are said already. Of several
+/// The fault without the place in a file, the key and the component, for messages that already name these. Of several
 /// problems the first.
 std::string reason_of(const Error& error);
 
-/// Calls into plugin code, and lets a parent process know (foundation/plugins/plugin_call.h); `what` is a literal.
-/// Whatever leaves it, foreign types included, becomes a `ComponentError` that names component, file and what to do; so
-/// does what it changed of the process (foundation/processes/process_watch.h). `BadInput` and `Interrupted` come from
-/// the host's own services and pass unchanged.
+/// Calls plugin code, and informs a parent process (foundation/plugin_call.h); `what` is a literal. Any exception,
+/// including foreign types, becomes a `ComponentError` that names component, file and what to do; so does a change of
+/// the process (foundation/process_watch.h). `BadInput` and `Interrupted` come from the host's own services and pass
+/// unchanged.
 template <class Call>
 decltype(auto) guarded_call(const ComponentOrigin& origin, const char* what, Call&& call) {
   const PluginCall active(on_page(origin), what);

@@ -14,18 +14,18 @@ namespace {
 
 constexpr const char* kKept = "; what was finished, if anything, is kept";
 
-/// When the first signal came, in ms; 0: none did. Set by a signal, read by any thread; only an atomic without a lock
-/// may be both.
+/// Time of the first signal, in ms; 0: none. Set by a signal handler, read by any thread, so it must be a lock-free
+/// atomic.
 std::atomic<std::int64_t> requested_at = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 constexpr std::int64_t kOneWish = 100;       // ms
 constexpr std::int64_t kLongestWait = 1200;  // ms
-constexpr double kLongestLimit = 1e12;       // s; the sum with a clock stays in range
+constexpr double kLongestLimit = 1e12;       // s; its sum with a clock stays in range
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
-/// At which the time is up; any thread may ask.
+/// When the time is up; any thread may read it.
 struct TimeLimit {
   std::atomic<std::int64_t> deadline = kNever;  // ms
   std::atomic<bool> reached = false;
@@ -50,7 +50,7 @@ void on_signal(int signal) {
 
 }  // namespace
 
-/// Signal handlers call it.
+/// Called by signal handlers.
 std::int64_t milliseconds_now() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -60,7 +60,7 @@ std::int64_t milliseconds_now() {
 void watch_for_interrupts() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  std::signal(SIGUSR1, on_signal);  // of a batch system whose time limit comes near
+  std::signal(SIGUSR1, on_signal);  // from a batch system shortly before its time limit
 }
 
 bool interrupt_requested() { return requested_at != 0 || time_is_up(); }

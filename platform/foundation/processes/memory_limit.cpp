@@ -26,14 +26,14 @@ constexpr bool kWatched = false;
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// What a container or a batch system's job may use; a file that is not there, or says "max", sets no limit.
+/// Limit of a container or a batch job; a missing file, or "max", sets none.
 std::uint64_t limit_in(const std::filesystem::path& file) {
   std::uint64_t bytes = 0;
   std::ifstream stream(file);
   return stream >> bytes ? bytes : kNoLimit;
 }
 
-/// The least limit of a control group and of those that it is in. `group`: "/slurm/job_17".
+/// The smallest limit of a control group and its parents. `group`: "/slurm/job_17".
 std::uint64_t limit_of(const std::filesystem::path& hierarchy, std::filesystem::path group, const char* file) {
   std::uint64_t least = limit_in(hierarchy / file);
   for (; group.has_relative_path(); group = group.parent_path())
@@ -41,7 +41,7 @@ std::uint64_t limit_of(const std::filesystem::path& hierarchy, std::filesystem::
   return least;
 }
 
-/// Of this process, whose groups /proc/self/cgroup names: "0::/group", or "4:memory:/group" with the first version.
+/// For this process, whose groups are in /proc/self/cgroup: "0::/group", or "4:memory:/group" with version 1.
 std::uint64_t limit_of_groups() {
   std::uint64_t least = kNoLimit;
   std::ifstream groups("/proc/self/cgroup");

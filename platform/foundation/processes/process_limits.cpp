@@ -38,7 +38,7 @@ rlim_t raised(__rlimit_resource resource, rlim_t wanted) {
   return limit_of(resource).rlim_cur;
 }
 
-/// Threads that begin later get a stack that does not follow from the limit on this thread's.
+/// Threads that start later get a stack size that does not depend on this thread's limit.
 void raise_stacks_of_threads() {
   pthread_attr_t attributes;
   if (pthread_getattr_default_np(&attributes) != 0) return;

@@ -7,18 +7,18 @@
 
 namespace lacuna {
 
-/// How an outside program is run as a target: what `[target]` of kind "process" says.
+/// Settings for an outside program as a target: `[target]` of kind "process".
 struct ProcessSource {
   std::vector<std::string> command;                ///< the program and its arguments
-  std::filesystem::path folder;                    ///< that it works in
+  std::filesystem::path folder;                    ///< working folder
   std::map<std::string, std::string> environment;  ///< variables besides those of Lacuna
-  double start_limit = 10.0;                       ///< s, until it has said hello
-  double trial_limit = 60.0;                       ///< s, of a trial beyond the test's duration
-  int repeats = 1;                                 ///< how often a test is tried again after it failed
-  double pause = 1.0;                              ///< s, between a test that failed and the next attempt
-  int copies = 1;                                  ///< how many of it may run side by side
-  std::string refused;                             ///< why it may not be started, a sentence; empty: it may
-  std::string version;                             ///< trials of another one are another target's
+  double start_limit = 10.0;                       ///< s, for its hello message
+  double trial_limit = 60.0;                       ///< s, for a trial beyond the test's duration
+  int repeats = 1;                                 ///< how often a failed test is repeated
+  double pause = 1.0;                              ///< s, between a failed test and the next attempt
+  int copies = 1;                                  ///< how many instances may run side by side
+  std::string refused;                             ///< why it must not be started, a sentence; empty: it may
+  std::string version;                             ///< trials of another identity belong to another target
 };
 
 }  // namespace lacuna

@@ -22,7 +22,7 @@ namespace {
 
 using Changes = std::vector<std::string>;
 
-/// Of `long double` where the processor has a unit of its own for it.
+/// Settings of `long double` where the processor has a separate unit for it.
 std::uint16_t long_arithmetic() {
   std::uint16_t control = 0;
 #if defined(__x86_64__)
@@ -45,7 +45,7 @@ void set_floating_point_control(std::uint32_t control) {
 #endif
 }
 
-/// The bits of the control word that mean what.
+/// The meaning of the bits of the control word.
 #if defined(__x86_64__)
 constexpr std::uint32_t kRounding = 0x6000, kNearZero = 0x8040;
 #else
@@ -57,15 +57,15 @@ std::string current_folder() {
   return std::filesystem::current_path(lost).string();
 }
 
-/// Another thread may make a file meanwhile, which nobody else may then read.
+/// Between the two calls another thread may make a file with wrong permissions.
 mode_t mode_mask_of_process() {
   const mode_t mask = umask(077);
   umask(mask);
   return mask;
 }
 
-/// The same without a moment in which it is another one; none: the system does not tell. Allocates nothing: it is asked
-/// between simulations.
+/// The same without changing it for a moment; none: the system does not give it. Allocates nothing, because it is
+/// called between simulations.
 std::optional<mode_t> told_mode_mask() {
   const int status = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
   if (status < 0) return std::nullopt;
@@ -194,7 +194,7 @@ void ProcessState::set_back_locale(Changes& changes) const {
 }
 
 void ProcessState::set_back_folder(Changes& changes) const {
-  std::array<char, PATH_MAX> buffer;  // allocates nothing where all is as it was
+  std::array<char, PATH_MAX> buffer;  // allocates nothing where nothing has changed
   const char* const found = getcwd(buffer.data(), buffer.size());
   const std::string_view folder = found == nullptr ? std::string_view() : found;
   if (folder == folder_) return;

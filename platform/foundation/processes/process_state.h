@@ -16,15 +16,15 @@
 
 namespace lacuna {
 
-/// What a library may change of its process behind the program's back, and results, files and messages depend on:
+/// State of the process that a library may change unnoticed and on which results, files and messages depend:
 /// floating-point arithmetic, locale, current folder, file mode mask, signals, timers, descriptors, the buffers of
 /// standard streams, the handlers of `std::terminate` and of a lack of memory.
 class ProcessState {
  public:
-  /// What is looked at.
+  /// The part of the state that is compared.
   enum class Extent {
     quick,     ///< in nanoseconds: arithmetic and locale of this thread
-    at_work,   ///< in microseconds: also what the program never changes once it has begun to work
+    at_work,   ///< in microseconds: also state that the program never changes after its start
     complete,  ///< everything; only while the process has one thread
   };
 
@@ -34,8 +34,8 @@ class ProcessState {
   ProcessState(const ProcessState&) = delete;
   ProcessState& operator=(const ProcessState&) = delete;
 
-  /// Sets back what is otherwise by now, and names it, as in "the current folder (/tmp)". A descriptor above the
-  /// standard ones that was closed stays so.
+  /// Restores the parts that have changed, and names them, as in "the current folder (/tmp)". A closed descriptor above
+  /// the standard ones stays closed.
   std::vector<std::string> set_back(Extent extent) const;
 
  private:

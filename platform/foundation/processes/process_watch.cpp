@@ -17,7 +17,7 @@ constexpr std::int64_t kBetweenLooks = 50;  // ms
 
 struct Remembered {
   std::mutex looking;
-  std::atomic<const ProcessState*> state = nullptr;  ///< as plugins are to leave the process
+  std::atomic<const ProcessState*> state = nullptr;  ///< the state in which plugins must leave the process
   std::atomic<std::int64_t> next_look = 0;           // ms
   std::atomic<bool> closely = false;
 };
@@ -47,7 +47,7 @@ void remember(Remembered& watch) {
   usual_floating_point_control = floating_point_control();
 }
 
-/// `at_once`: everything is looked at, however short ago that was.
+/// `at_once`: compares everything, however recent the last comparison was.
 std::string found(bool at_once) {
   Remembered& watch = remembered();
   const ProcessState* const state = watch.state;
@@ -57,7 +57,8 @@ std::string found(bool at_once) {
   const std::unique_lock lock(watch.looking, std::try_to_lock);
   if (!lock) return enumerated(state->set_back(ProcessState::Extent::quick));
   const std::vector<std::string> changes = state->set_back(extent);
-  if (watch.closely && !changes.empty()) remember(watch);  // what could not be set back is not the next one's
+  if (watch.closely && !changes.empty())
+    remember(watch);  // a change that could not be set back is not blamed on the next call
   return enumerated(changes);
 }
 
@@ -96,7 +97,7 @@ ProcessChanged::ProcessChanged(const std::string& deed)
       deed_(deed) {}
 
 void throw_if_process_changed(const char* what) {
-  // What a component does the first time is found of that call, whatever that is worth in time.
+  // The first call of each component is fully checked, whatever that costs in time.
   const bool at_once = is_first_call(own_call_slot().component, what);
   if (const std::string changed = found(at_once); !changed.empty())
     throw ProcessChanged(std::string(what) + " changed " + changed + ", on which other code relies");

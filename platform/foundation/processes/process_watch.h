@@ -20,35 +20,36 @@ class ProcessChanged : public Error {
   std::string deed_;
 };
 
-/// Plugins leave the process as they find it: what one of them changes is set back after its call and named.
+/// Plugins must leave the process as they find it: a change is set back after the call and reported.
 class ProcessWatch {
  public:
-  /// As the process is now, plugins are to leave it: before the first of them is loaded. Later calls change nothing.
+  /// The current state is the one in which plugins must leave the process. Call it before the first of them is loaded;
+  /// later calls change nothing.
   static void begin();
-  /// In a program that carries out one command after another: before a command, while no plugin is called.
+  /// For a program that carries out several commands: call it before a command, while no plugin is called.
   static void forget();
-  /// From now on everything is looked at after each call: in a process with one thread that only tries plugins, where
-  /// microseconds do not matter. As the process is now, plugins are to leave it.
+  /// From now on everything is compared after each call: for a process with one thread that only tries plugins, where
+  /// microseconds do not matter. The current state is the one in which plugins must leave the process.
   static void look_closely();
 
-  /// What the call that has just returned left changed, set back: "the locale (de_DE.UTF-8) and the current folder
-  /// (/tmp)"; empty: nothing. Arithmetic and locale are looked at each time, the rest every 50 ms, and then found of
-  /// calls shortly before as well.
+  /// Changes by the call that has just returned, set back: "the locale (de_DE.UTF-8) and the current folder (/tmp)";
+  /// empty: none. Arithmetic and locale are compared each time, the rest every 50 ms, so that a change by a slightly
+  /// earlier call is found then.
   static std::string changed();
 };
 
 /// "A, B and C".
 std::string enumerated(const std::vector<std::string>& changes);
 
-/// Throws `ProcessChanged` where the call `what` left the process changed, which is set back.
+/// Throws `ProcessChanged` where the call `what` changed the process; sets the change back.
 void throw_if_process_changed(const char* what);
-/// The same of this thread's floating-point arithmetic alone, in a few instructions where it is as usual.
+/// The same for this thread's floating-point arithmetic alone, in a few instructions where it is unchanged.
 inline void throw_if_arithmetic_changed(const char* what) {
   if (!floating_point_is_usual()) [[unlikely]]
     throw_if_process_changed(what);
 }
 
-/// While it lives, a call of a plugin is under way. However that ends, the process is afterwards as it was.
+/// During its lifetime, a call of a plugin is in progress. However that ends, the process is restored.
 class CallAftermath {
  public:
   explicit CallAftermath(const char* what) noexcept : what_(what) {}
@@ -58,7 +59,7 @@ class CallAftermath {
   CallAftermath(const CallAftermath&) = delete;
   CallAftermath& operator=(const CallAftermath&) = delete;
 
-  /// Throws `ProcessChanged` where the call that has returned left the process changed.
+  /// Throws `ProcessChanged` where the call that has returned changed the process.
   void check() {
     checked_ = true;
     throw_if_process_changed(what_);

@@ -39,21 +39,21 @@ std::vector<pid_t> all_processes() {
   return processes;
 }
 
-/// Empty where the process has ended meanwhile, which also happens between opening and reading.
+/// Empty where the process has ended, which also happens between opening and reading.
 std::string content_of(pid_t process, const char* file) {
   const std::ifstream stream("/proc/" + std::to_string(process) + "/" + file, std::ios::binary);
   std::ostringstream content;
-  content << stream.rdbuf();  // notes a failure to read, and does not throw it
+  content << stream.rdbuf();  // sets a bad state on a read error instead of throwing
   return content.str();
 }
 
-/// A process that has ended and was not waited for has no work left.
+/// A process that has ended but was not waited for does no work.
 struct Standing {
   pid_t parent = 0;
   bool over = false;
 };
 
-/// The second field of the file is the program's name in brackets, which may hold anything.
+/// The second field of the file is the program's name in brackets, which may contain anything.
 std::optional<Standing> standing_of(pid_t process) {
   const std::string status = content_of(process, "stat");
   const std::size_t end_of_name = status.rfind(") ");
@@ -74,7 +74,7 @@ void wait_for_ended_children() {
   }
 }
 
-/// Those that could be signalled; another user's cannot.
+/// Those that could be signalled; processes of other users cannot.
 std::vector<pid_t> signalled(std::vector<pid_t> processes, int signal) {
   std::erase_if(processes, [&](pid_t process) { return kill(process, signal) != 0; });
   return processes;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// A number of things, as sentences say it: "1 trial", "3 trials", "2 bodies", "2 passes".
+/// A number of things for sentences: "1 trial", "3 trials", "2 bodies", "2 passes".
 std::string counted(std::size_t count, const std::string& noun);
 
 /// A noun behind its article, by the noun's first letter: "a joint", "an actuator".

@@ -6,13 +6,13 @@
 
 namespace lacuna {
 
-/// How the numbers of a column were written by the device that they come from.
+/// How a device encoded the numbers of a column.
 enum class EncodingKind {
-  automatic,        ///< as the column itself shows (measurement/trials/encoding_guess.h)
-  plain,            ///< a number is what it says
-  sign_bit,         ///< from `modulus` on: minus what is beyond it
-  twos_complement,  ///< in the upper half of `modulus`: less `modulus`
-  wraps             ///< a counter that goes on from 0 at `modulus`
+  automatic,        ///< found from the column (measurement/encoding_guess.h)
+  plain,            ///< plain numbers
+  sign_bit,         ///< from `modulus` on: minus the part beyond it
+  twos_complement,  ///< in the upper half of `modulus`: minus `modulus`
+  wraps             ///< a counter that restarts from 0 at `modulus`
 };
 
 struct Encoding {
@@ -23,7 +23,7 @@ struct Encoding {
 
 /// Reads "auto", "plain", "sign_bit 2^15", "twos_complement 65536", "wraps 360"; nothing where it is none of these.
 std::optional<Encoding> parse_encoding(std::string_view text);
-/// As `parse_encoding` reads it.
+/// The inverse of `parse_encoding`.
 std::string to_string(const Encoding& encoding);
 
 }  // namespace lacuna

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kMostShown = 0.99;
 constexpr double kLastBits = 1e-9;     ///< 0.29 times 100 is less than 29
-constexpr double kLeastRatio = 1e-4;   ///< what is left of an error: nobody needs more digits
-constexpr double kSmallChange = 10.0;  ///< percent, of which a tenth is told
+constexpr double kLeastRatio = 1e-4;   ///< remaining share of an error; more digits are not needed
+constexpr double kSmallChange = 10.0;  ///< percent; below this one decimal is printed
 
 int decimals_of(double ratio) {
   if (ratio < 0.01) return 2;

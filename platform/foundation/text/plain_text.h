@@ -5,8 +5,8 @@
 
 namespace lacuna {
 
-/// Text from outside (file names, columns, what a database holds) as a picture or a comment may have it: one line of
-/// well-formed UTF-8. Control characters become spaces; bytes that are no character become U+FFFD.
+/// Text from outside (file names, columns, contents of a database) for a figure or a comment: one line of well-formed
+/// UTF-8. Control characters become spaces; invalid bytes become U+FFFD.
 std::string plain_text(std::string_view text);
 
 }  // namespace lacuna

@@ -44,7 +44,7 @@ std::string kind_of(const std::string& name) {
   return point == std::string::npos ? std::string() : name.substr(0, point);
 }
 
-constexpr std::size_t kShortestPart = 3;  // letters; shorter words are part of too much
+constexpr std::size_t kShortestPart = 3;  // letters; shorter words occur in too many others
 
 /// Whether `word` is the beginning or the end of `candidate`, set off by a point or an underscore.
 bool is_part(const std::string& word, const std::string& candidate) {

@@ -16,18 +16,18 @@ struct SourceLocation {
   int column = 0;
 };
 
-/// `file:line:column`, without the parts that are not known.
+/// `file:line:column`, without unknown parts.
 std::string to_string(const SourceLocation& location);
 
 /// One complaint about a user's input: where, what, and what to do.
 struct Problem {
   SourceLocation location;
   std::string message;
-  std::string key = {};  ///< that it is about and with which the message begins, "model.effects[0].where"; empty: none
-  std::string reason = {};  ///< the message without the key and the component that said it; empty: as the message
+  std::string key = {};     ///< the key with which the message begins, "model.effects[0].where"; empty: none
+  std::string reason = {};  ///< the message without the key and the name of the component; empty: the message
 };
 
-/// Thrown for bad input (exit code 2). Its text has one line a problem.
+/// Thrown for bad input (exit code 2). Its text has one line per problem.
 class BadInput : public Error {
  public:
   explicit BadInput(std::vector<Problem> problems);
@@ -40,10 +40,10 @@ class BadInput : public Error {
 /// Collects problems, so that the user sees all of them at once.
 class ProblemList {
  public:
-  /// What was said of the same place before, as of each element that a pattern matches, is not said again.
+  /// A repeated message for the same place, as for each element that a pattern matches, is dropped.
   void add(SourceLocation location, std::string message) { add(Problem{std::move(location), std::move(message)}); }
   void add(Problem problem);
-  /// What is wrong with the value of a key: the message begins with it.
+  /// A fault of a key's value: the message begins with the key.
   void add_of_key(SourceLocation location, const std::string& key, const std::string& message) {
     add_of_key(std::move(location), key, message, message);
   }
@@ -62,14 +62,15 @@ class ProblemList {
 /// Throws `BadInput` with one problem.
 [[noreturn]] void throw_problem(SourceLocation location, std::string message);
 
-/// " (did you mean \"x\"?)" for the nearest of `candidates`, or nothing if none is near. Near is also one that
-/// `word` is a part of, up to a point or an underscore: "hinge" of "joint.hinge", "coulomb" of "coulomb_friction".
+/// " (did you mean \"x\"?)" for the nearest of `candidates`, or nothing if none is near. A candidate is also near if
+/// `word` is its beginning or end, up to a point or an underscore: "hinge" of "joint.hinge", "coulomb" of
+/// "coulomb_friction".
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
 constexpr std::size_t kMostNearest = 5;
 
-/// The nearest of `names` and how many more there are: "a, b, c, d, e and 43 more". Of addresses, those of the same
-/// kind come first. Up to `kMostNearest` names stand as they are.
+/// The nearest of `names` and the number of others: "a, b, c, d, e and 43 more". Of addresses, those of the same kind
+/// come first. Up to `kMostNearest` names are all listed.
 std::string nearest_names(const std::string& word, std::vector<std::string> names);
 
 }  // namespace lacuna

@@ -13,7 +13,7 @@ std::string escaped(char c) {
   return {'\\', kDigits[byte >> 6U], kDigits[byte >> 3U & 7U], kDigits[byte & 7U]};
 }
 
-/// `$'...'`, which shells have learnt one after the other (POSIX of 2024).
+/// `$'...'`, which not all shells know (POSIX of 2024).
 std::string on_one_line(const std::string& word) {
   std::string quoted = "$'";
   for (const char c : word) {

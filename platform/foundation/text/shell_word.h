@@ -4,8 +4,8 @@
 
 namespace lacuna {
 
-/// A word of a command as a POSIX shell takes it: in quotes where it needs them, and on one line. For commands that are
-/// printed to be typed or pasted.
+/// A word of a command for a POSIX shell: in quotes where needed, and on one line. For commands that are printed for
+/// typing or pasting.
 std::string shell_word(const std::string& word);
 
 }  // namespace lacuna

@@ -4,10 +4,10 @@
 
 namespace lacuna::articulated {
 
-/// Why this engine cannot move the robot, a sentence; empty: it can.
+/// Why this engine cannot simulate the robot, a sentence; empty: it can.
 std::string unsuited(const RobotSpec& robot);
 
-/// Compiles a structure for reduced coordinates: trees of joints and floating bodies that touch nothing, integrated to
+/// Compiles a structure for reduced coordinates: trees of joints and floating bodies without contacts, integrated to
 /// second order. Throws `Error` as `lacuna::compile` does.
 std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings);
 

@@ -10,13 +10,13 @@
 namespace lacuna::articulated {
 namespace {
 
-// Beyond these a motion is a failure of the integration.
+// Beyond these values the integration has failed.
 constexpr double kFarthest = 1e6;  // rad or m
 constexpr double kFastest = 1e6;   // rad/s or m/s
 
 constexpr double kSameTime = 1e-6;  // integration steps
 
-/// As many numbers as there could be with a rotor for each actuator.
+/// The size with a rotor for each actuator.
 void put_padded(std::span<const double> numbers, std::size_t size, simulation::StateWriter& writer) {
   writer.put(numbers);
   for (std::size_t i = numbers.size(); i < size; ++i) writer.put(0.0);
@@ -75,7 +75,7 @@ const StepView& ArticulatedMotion::look(double time, bool at_bodies) {
   return integrator_->step().look(integrator_->motion(), time, at_bodies);
 }
 
-/// A servo with a sample time holds the force that it found when it last read its position.
+/// A servo with a sample time holds the force of its last reading.
 void ArticulatedMotion::sample_servos(const simulation::StepOrder& order) {
   Motion& motion = integrator_->motion();
   for (std::size_t a = 0; a < motion.integrals.size(); ++a) {

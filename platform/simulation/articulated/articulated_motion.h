@@ -9,7 +9,7 @@
 
 namespace lacuna::articulated {
 
-/// A robot in reduced coordinates, of any number of bodies, that touches nothing.
+/// A robot in reduced coordinates, with any number of bodies and without contacts.
 class ArticulatedMotion : public simulation::RobotMotion {
  public:
   explicit ArticulatedMotion(const simulation::EngineModel& model);

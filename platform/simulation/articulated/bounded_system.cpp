@@ -6,8 +6,8 @@
 namespace lacuna::articulated {
 namespace {
 
-constexpr int kAllAtOnce = 8;  ///< changes of regimes, before they are changed one by one
-constexpr int kMost = 1000;    ///< never reached but where rounding has the last word
+constexpr int kAllAtOnce = 8;  ///< simultaneous changes of regimes, before they are changed one by one
+constexpr int kMost = 1000;    ///< reached only through rounding
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void BoundedSystem::solve(std::span<const VelocityLaw> laws, std::span<double> v
   }
 }
 
-/// A rigid law within its limits leaves its velocity out: the row and the column are those of the unit matrix.
+/// A rigid law within its limits removes its velocity: the row and the column are those of the unit matrix.
 void BoundedSystem::factor_in_regimes(std::span<const VelocityLaw> laws) {
   std::copy(matrix_.begin(), matrix_.end(), factor_.begin());
   for (std::size_t l = 0; l < laws.size(); ++l)

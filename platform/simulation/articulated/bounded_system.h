@@ -8,8 +8,8 @@
 namespace lacuna::articulated {
 
 /// A law on one velocity after a step: an impulse within [lower, upper], push − resistance·velocity where that is
-/// within. An infinite resistance holds the velocity at `held_at`: at zero, as stiction and stops do, or at what an
-/// imposed motion gives.
+/// within. An infinite resistance holds the velocity at `held_at`: zero for stiction and stops, or the value of an
+/// imposed motion.
 struct VelocityLaw {
   std::size_t dof = 0;
   double push = 0.0, resistance = 0.0;
@@ -19,22 +19,22 @@ struct VelocityLaw {
   bool rigid() const { return resistance == std::numeric_limits<double>::infinity(); }
 };
 
-/// The velocities v after a step that laws bound: matrix·v = right + the laws' impulses. No impulse grows with its
+/// The velocities v after a step with bounded laws: matrix·v = right + the laws' impulses. No impulse grows with its
 /// velocity and the matrix is positive definite, so that there is exactly one solution: a box-constrained linear
-/// complementarity problem, solved by changing the laws that are in the wrong regime, all at once at first, then the
-/// first of them (K. G. Murty, "Note on a Bard-type scheme for solving the complementarity problem", Opsearch 11
-/// (1974) 123-130), which ends. Allocates nothing after construction.
+/// complementarity problem, solved by changing the laws that are in the wrong regime, all at once at first, then one by
+/// one (K. G. Murty, "Note on a Bard-type scheme for solving the complementarity problem", Opsearch 11 (1974) 123-130),
+/// which terminates. Allocates nothing after construction.
 class BoundedSystem {
  public:
-  /// `laws`: the most that a step can have; of rigid ones, one a dof.
+  /// `laws`: the largest number in a step; of rigid ones, at most one per dof.
   BoundedSystem(std::size_t dofs, std::size_t laws);
 
   std::span<double> matrix() { return matrix_; }  ///< dofs × dofs; both triangles, symmetric
   std::span<double> right() { return right_; }
 
-  /// `again`: the matrix and the laws are those of the last call; the right-hand side is another.
+  /// `again`: same matrix and laws as in the last call, another right-hand side.
   void solve(std::span<const VelocityLaw> laws, std::span<double> velocities, bool again = false);
-  /// Of a law, in the solution.
+  /// The impulse of a law in the solution.
   double impulse(std::size_t law) const { return impulses_[law]; }
 
  private:
@@ -53,11 +53,11 @@ class BoundedSystem {
 };
 
 /// Factors a symmetric positive definite matrix in place, L in the lower triangle of rows of `size` numbers; false: it
-/// is none.
+/// is not positive definite.
 bool factor_in_place(std::span<double> matrix, std::size_t size);
 /// Solves with such a factor in place.
 void solve_in_place(std::span<const double> factor, std::size_t size, std::span<double> right);
-/// A diagonal element of the inverse of what was factored. `memory`: `size` numbers.
+/// A diagonal element of the inverse of the factored matrix. `memory`: `size` numbers.
 double inverse_diagonal(std::span<const double> factor, std::size_t size, std::size_t element,
                         std::span<double> memory);
 

@@ -127,7 +127,7 @@ Twist Dynamics::carrier(const Link& link, int i, std::span<const double> velocit
   if (link.parent >= 0) carrier = velocities_[static_cast<std::size_t>(link.parent)];
   if (link.kind == LinkKind::universal && i == 1)
     carrier += velocities[static_cast<std::size_t>(link.dof)] * axes_[static_cast<std::size_t>(link.dof)];
-  // The axes of a floating body keep their directions and go along with its centre of mass.
+  // The axes of a floating body keep their directions and move with its centre of mass.
   if (link.kind == LinkKind::floating && i >= 3)
     for (int k = 0; k < 3; ++k) carrier.linear[k] = velocities[nth(link.dof, k)];
   return carrier;
@@ -211,7 +211,7 @@ void Dynamics::bias(const Vector3d& gravity, std::span<const BodyForce> forces, 
   }
 }
 
-/// The generalised force of gravity on the lone joint.
+/// The generalised force of gravity on the only joint.
 double Dynamics::lone_weight(const Vector3d& gravity) const {
   const Link& link = tree_.links().front();
   if (link.kind == LinkKind::slider) return link.mass * link.axes[0].dot(gravity);

@@ -8,7 +8,7 @@
 
 namespace lacuna::articulated {
 
-/// Where a body is that was at its zero pose: its point p is at turn·p + shift.
+/// Displacement of a body from its zero pose: its point p is at turn·p + shift.
 struct Displacement {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d shift{0.0, 0.0, 0.0};
@@ -27,12 +27,12 @@ class Dynamics {
  public:
   explicit Dynamics(const Tree& tree);
 
-  /// The tree has other numbers.
+  /// Updates the numbers of the tree.
   void take_numbers();
-  /// A robot of one hinge or slider to the world is placed by less work where nobody looks at its body.
+  /// A robot of one hinge or slider to the world takes less work if its body is not needed.
   void place(std::span<const double> configuration, bool with_bodies);
 
-  /// Of the bodies where they were placed; by link.
+  /// For the current configuration; by link.
   const Displacement& displacement(std::size_t link) const { return displacements_[link]; }
   const Eigen::Vector3d& centre(std::size_t link) const { return centres_[link]; }
   /// Of each link, for these velocities.
@@ -42,10 +42,10 @@ class Dynamics {
 
   /// dofs × dofs, row after row; both triangles.
   void inertia(std::span<double> out);
-  /// What holds the bodies at these velocities (of the last `move`) without acceleration: the forces of inertia, less
-  /// gravity and less `forces` on the bodies, one a link.
+  /// Generalised forces for zero acceleration at these velocities (of the last `move`): inertial forces, less gravity
+  /// and less `forces` on the bodies, one per link.
   void bias(const Eigen::Vector3d& gravity, std::span<const BodyForce> forces, std::span<double> out);
-  /// Adds what a force −damping·velocity at each body's centre of mass (and a torque −angular·velocity) resists.
+  /// Adds the resistance of a force −damping·velocity at each body's centre of mass (and a torque −angular·velocity).
   void add_drag(std::size_t link, double damping, double angular, std::span<double> inertia_like) const;
 
  private:
@@ -56,15 +56,15 @@ class Dynamics {
   Eigen::Vector3d from_reference(std::size_t link, const Eigen::Vector3d& point) const {
     return point - references_[static_cast<std::size_t>(tree_.links()[link].root)];
   }
-  /// Twist that the axis of the link's dof `i` moves along with.
+  /// Twist with which the axis of the link's dof `i` moves.
   Twist carrier(const Link& link, int i, std::span<const double> velocities) const;
 
   const Tree& tree_;
   const bool lone_;
-  bool only_coordinate_ = false;  ///< of the lone joint was placed
+  bool only_coordinate_ = false;  ///< for the only joint
   double coordinate_ = 0.0, lone_inertia_ = 0.0;
   Eigen::Vector3d at_zero_{0.0, 0.0, 0.0},
-      at_quarter_{0.0, 0.0, 0.0};            ///< the mass's moment across the axis, and turned by 90°
+      at_quarter_{0.0, 0.0, 0.0};            ///< the mass's moment across the axis, and the same rotated by 90°
   std::vector<Displacement> displacements_;  // per link
   std::vector<Eigen::Vector3d> centres_, references_;
   std::vector<SpatialInertia> inertias_, composites_;

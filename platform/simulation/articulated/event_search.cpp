@@ -7,8 +7,8 @@ namespace lacuna::articulated {
 namespace {
 
 constexpr int kMostTrials = 60;
-constexpr double kLocated = 1e-10;    ///< of the step, which is never shorter, or of the distance at its start
-constexpr double kSameMoment = 1e-8;  ///< of the way to an event, within which another one comes with it
+constexpr double kLocated = 1e-10;    ///< of the step (its shortest length), or of the distance at its start
+constexpr double kSameMoment = 1e-8;  ///< of the way to an event, within which two events coincide
 constexpr double kTold = 1e-12;       ///< of the fastest velocity: a step tells no smaller ones
 
 double fastest(const Motion& motion) {
@@ -33,7 +33,7 @@ double EventSearch::distance(const Event& event, const Motion& from, const Motio
   return 0.0;
 }
 
-/// The event that comes first if everything goes on evenly.
+/// The first event if all rates stay constant.
 std::optional<Event> EventSearch::earliest(const Setting& setting) const {
   std::optional<Event> found;
   double first = 2.0;
@@ -82,11 +82,11 @@ double EventSearch::locate(const Event& event, const Setting& setting, double le
 
 std::optional<EventSearch::Found> EventSearch::first(const Setting& setting, double length) {
   std::optional<Found> found;
-  // Until nothing else happens before; each time it is something earlier.
+  // Repeats while an earlier event is found.
   for (std::optional<Event> event = earliest(setting); event; event = earliest(setting)) {
     if (found && found->event.coordinate == event->coordinate && found->event.kind == event->kind) break;
     const double shorter = locate(*event, setting, found ? found->length : length);
-    if (found && shorter >= (1.0 - kSameMoment) * found->length) {  // two at once would take turns for ever
+    if (found && shorter >= (1.0 - kSameMoment) * found->length) {  // two events at once would alternate for ever
       take(setting, found->length);
       break;
     }

@@ -6,7 +6,7 @@
 
 namespace lacuna::articulated {
 
-/// What happens to a coordinate within a step and cuts it in two.
+/// An event of a coordinate that divides a step.
 enum class EventKind { rests, meets_lower, meets_upper };
 
 struct Event {
@@ -14,14 +14,14 @@ struct Event {
   EventKind kind = EventKind::rests;
 };
 
-/// Finds the first moment of a step at which a coordinate with dry friction comes to rest or one meets a stop. The
-/// moment is that of the step itself, taken shorter, to rounding: so dry friction turns round where the velocity does,
-/// and a step that holds such a moment has the order of the others.
+/// Finds the first time in a step at which a coordinate with dry friction comes to rest or a coordinate meets a stop.
+/// The time is that of a shortened step, to rounding. So dry friction changes its sign together with the velocity, and
+/// a step with such an event keeps its order.
 class EventSearch {
  public:
   EventSearch(const Machine& machine, Step& step) : machine_(machine), step_(step) {}
 
-  /// What one step needs besides its length.
+  /// Input of one step besides its length.
   struct Setting {
     const Motion& from;
     double begin = 0.0;
@@ -34,11 +34,11 @@ class EventSearch {
     Event event;
     double length = 0.0;  ///< of the step up to it
   };
-  /// After a step of this length was taken. Where there is an event, the step up to it was taken last.
+  /// After a step of this length. With an event, the last step taken ends at it.
   std::optional<Found> first(const Setting& setting, double length);
 
  private:
-  /// Positive before the event, negative behind it.
+  /// Positive before the event, negative after it.
   double distance(const Event& event, const Motion& from, const Motion& now) const;
   std::optional<Event> earliest(const Setting& setting) const;
   double locate(const Event& event, const Setting& setting, double length);

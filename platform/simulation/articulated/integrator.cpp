@@ -6,7 +6,7 @@
 namespace lacuna::articulated {
 namespace {
 
-constexpr int kMostEvents = 12;  ///< in one step; then dry friction acts on the velocities after what is left of it
+constexpr int kMostEvents = 12;  ///< events in one step; then dry friction acts on the velocities after the rest of it
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void Integrator::look_at_stops() {
   }
 }
 
-/// A start may say otherwise.
+/// A start may contradict the coupling.
 void Integrator::begin_imposed(double length, const Commanded& commanded) {
   for (std::size_t a = 0; a < machine_.actuators().size(); ++a)
     if (machine_.actuators()[a].kind == ActuatorKind::motion && !std::isnan(commanded.values[a]))

@@ -8,7 +8,7 @@
 
 namespace lacuna::articulated {
 
-/// Moves a machine through whole steps, each cut where a coordinate comes to rest or meets a stop.
+/// Moves a machine through whole steps, each divided where a coordinate comes to rest or meets a stop.
 class Integrator {
  public:
   Integrator(const Machine& machine, const simulation::ElementCoordinates& elements);
@@ -21,7 +21,7 @@ class Integrator {
 
   /// Mean over the last whole step.
   std::span<const double> coordinate_forces() const { return coordinate_forces_; }
-  /// What the steps before have left, but for the motion.
+  /// The memory of earlier steps, except the motion.
   void forget();
 
  private:

@@ -12,41 +12,41 @@ namespace lacuna::articulated {
 /// A joint coordinate with its own laws.
 struct CoordinateNumbers {
   std::size_t dof = 0;
-  std::size_t position = 0;  ///< in a configuration; not of ball and free joints
-  bool ball = false;         ///< of a ball or a free joint: no number of a configuration
+  std::size_t position = 0;  ///< index in a configuration; not for ball and free joints
+  bool ball = false;         ///< of a ball or a free joint: has no number in a configuration
   double force = 0.0, damping = 0.0, stiffness = 0.0, rest = 0.0, dry_friction = 0.0, armature = 0.0;
   double lower = -kInfinity, upper = kInfinity;
-  bool imposed = false;  ///< its velocity is given, whatever acts on it
+  bool imposed = false;  ///< its velocity is imposed
 };
 
-/// An actuator and what it turns: its joint's coordinate, or a rotor of its own behind an elastic transmission.
+/// An actuator and what it drives: its joint's coordinate, or a separate rotor behind an elastic transmission.
 struct ActuatorNumbers {
   ActuatorKind kind = ActuatorKind::force;  ///< with forces instead of voltages
   double push = 1.0;                        ///< force per command, of kind force
-  double drag = 0.0;                        ///< of back-EMF; not within the limit
-  double sample_time = 0.0;                 ///< s; of a servo that holds its force in between; 0: it does not
+  double drag = 0.0;                        ///< of back-EMF; not at the limit
+  double sample_time = 0.0;                 ///< s; of a servo that holds its force in between; 0: continuous
   std::size_t coordinate = 0;
-  std::size_t dof = 0, position = 0;  ///< of what it turns
+  std::size_t dof = 0, position = 0;  ///< range of the coordinate that it drives
   double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;
   double sag = 0.0;                                                       ///< of the supply, per force at rest
-  bool compliant = false;                                                 ///< it turns a rotor; then
+  bool compliant = false;                                                 ///< it drives a rotor; then
   double rotor_inertia = 0.0, stiffness = 0.0, damping = 0.0, gap = 0.0;  ///< at the joint
 };
 
-/// Two coordinates that go together: q(leads)·ratio + offset = q(follows), by their places.
+/// Two coupled coordinates: q(leads)·ratio + offset = q(follows), by their indices.
 struct CouplingNumbers {
   std::size_t dof = 0, position = 0;  ///< of what follows
   std::size_t leading_dof = 0, leading_position = 0;
   double ratio = 1.0, offset = 0.0;
 };
 
-/// A robot's numbers as the integrator reads them: the tree, then the rotors that have velocities of their own, counted
-/// behind the tree's.
+/// A robot's numbers as the integrator uses them: the tree, then the rotors with separate velocities, counted after the
+/// tree's.
 class Machine {
  public:
   Machine(const RobotSpec& robot, const simulation::JointTree& joints);
 
-  /// Takes over the numbers of a robot of the same structure.
+  /// Updates the numbers from a robot of the same structure.
   void set(const RobotSpec& robot);
 
   const Tree& tree() const { return tree_; }
@@ -57,10 +57,10 @@ class Machine {
   std::size_t dofs() const { return tree_.dofs() + rotors_; }
   std::size_t positions() const { return tree_.positions() + rotors_; }
   std::size_t rotors() const { return rotors_; }
-  /// The most that there can be, with a rotor for each actuator.
+  /// The largest possible number, with a rotor for each actuator.
   std::size_t most_dofs() const { return tree_.dofs() + actuators_.size(); }
   std::size_t most_positions() const { return tree_.positions() + actuators_.size(); }
-  /// Whether forces of inertia depend on the velocities.
+  /// Whether inertial forces depend on the velocities.
   bool has_coriolis_forces() const { return has_coriolis_forces_; }
   bool has_balls() const { return has_balls_; }
   /// Whether any actuator's supply sags.

@@ -5,10 +5,10 @@
 
 namespace lacuna::articulated {
 
-/// Spatial vectors in the world's axes, all of a tree about one point, which stands still while they are used
-/// (R. Featherstone, "Rigid body dynamics algorithms", 2008, chapter 2).
+/// Spatial vectors in the world's axes, all of a tree about one fixed point (R. Featherstone, "Rigid body dynamics
+/// algorithms", 2008, chapter 2).
 
-/// A velocity or an acceleration: of the body's point that is at the reference now.
+/// A velocity or an acceleration: of the body's point that is currently at the reference.
 struct Twist {
   Eigen::Vector3d angular{0.0, 0.0, 0.0}, linear{0.0, 0.0, 0.0};
 
@@ -40,13 +40,13 @@ struct Wrench {
 
 inline double dot(const Twist& a, const Wrench& b) { return a.angular.dot(b.moment) + a.linear.dot(b.force); }
 
-/// Change of a twist that moves along with `velocity`.
+/// Change of a twist that moves with `velocity`.
 inline Twist cross(const Twist& velocity, const Twist& carried) {
   return {velocity.angular.cross(carried.angular),
           velocity.angular.cross(carried.linear) + velocity.linear.cross(carried.angular)};
 }
 
-/// Change of a wrench that moves along with `velocity`.
+/// Change of a wrench that moves with `velocity`.
 inline Wrench cross(const Twist& velocity, const Wrench& carried) {
   return {velocity.angular.cross(carried.moment) + velocity.linear.cross(carried.force),
           velocity.angular.cross(carried.force)};
@@ -55,7 +55,7 @@ inline Wrench cross(const Twist& velocity, const Wrench& carried) {
 /// Of one body, or of several that move as one.
 struct SpatialInertia {
   double mass = 0.0;
-  Eigen::Vector3d first_moment{0.0, 0.0, 0.0};        ///< mass times the way from the reference to the centre of mass
+  Eigen::Vector3d first_moment{0.0, 0.0, 0.0};  ///< mass times the vector from the reference to the centre of mass
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the reference
 
   SpatialInertia& operator+=(const SpatialInertia& other) {

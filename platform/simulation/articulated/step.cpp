@@ -11,8 +11,8 @@ namespace lacuna::articulated {
 namespace {
 
 constexpr int kMostRepeats = 10;
-constexpr double kSettled = 1e-10;  ///< of the velocities; each repeat brings them closer by a factor of some tens
-/// Of the joint's inertia, for a rotor that has none: it follows what acts on it within a step.
+constexpr double kSettled = 1e-10;  ///< of the velocities; each iteration reduces the change by a factor of some tens
+/// Of the joint's inertia, for a rotor without inertia: it then follows its forces within a step.
 constexpr double kLeastRotor = 1e-9;
 constexpr double kNotFound = -1.0;  ///< of a mobility, which is positive
 
@@ -131,8 +131,8 @@ void Step::find_weights(double length, const Commanded& commanded) {
   }
 }
 
-/// A force that is `force` where nothing has moved from the middle of the step and nothing else moves than before, and
-/// falls with position and velocity.
+/// A force that equals `force` without any change since the middle of the step, and decreases with position and
+/// velocity.
 void Step::add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from,
                       double length) {
   const Weights& w = weights_[dof];
@@ -184,7 +184,7 @@ void Step::gather(double length, const Eigen::Vector3d& gravity) {
       has_drag_ = has_drag_ || load.damping > 0.0 || load.angular_damping > 0.0;
       on_bodies = on_bodies || !load.force.isZero(0.0) || !load.torque.isZero(0.0);
     }
-    if (!look_at_bodies_ && (on_bodies || has_drag_)) {  // an effect that stands on a joint loads a body
+    if (!look_at_bodies_ && (on_bodies || has_drag_)) {  // an effect on a joint loads a body
       dynamics_.place(middle_, true);
       dynamics_.move(mean_);
     }
@@ -201,7 +201,7 @@ void Step::find_drag() {
   }
 }
 
-/// What drag on bodies becomes less beyond the velocities at which it was asked for.
+/// Decrease of the drag on bodies beyond the velocities of the request.
 void Step::add_drag(const Motion& from, double length) {
   const std::size_t n = tree_.dofs();
   double rate = 0.0;
@@ -247,7 +247,7 @@ void Step::find_momentum(const Motion& from) {
   }
 }
 
-/// Everything but the forces of inertia that depend on the velocities.
+/// Everything except the inertial forces that depend on the velocities.
 void Step::assemble(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
                     bool reversals) {
   std::copy(inertia_.begin(), inertia_.end(), system_.matrix().begin());
@@ -263,8 +263,8 @@ void Step::assemble(const Motion& from, double length, const Commanded& commande
   std::copy(system_.right().begin(), system_.right().end(), pushed_.begin());
 }
 
-/// Finds the velocities after the step. The forces of inertia are those of the mean velocities: repeated until these no
-/// longer change where `exactly`, which keeps the step symmetric in time.
+/// Finds the velocities after the step. The inertial forces are those of the mean velocities: iterated to convergence
+/// where `exactly`, which keeps the step symmetric in time.
 void Step::settle(const Motion& from, double length, bool exactly) {
   for (int repeat = 0; repeat < kMostRepeats; ++repeat) {
     if (repeat > 0) dynamics_.move(mean_);
@@ -291,7 +291,7 @@ double Step::integral_rate(std::size_t a, double command) const {
   return saturated ? 0.0 : error;
 }
 
-/// What acted, from what the laws gave for the velocities after the step.
+/// The forces of the step, from the laws at the velocities after it.
 void Step::measure(const Motion& from, double length, const Commanded& commanded) {
   for (std::size_t c = 0; c < loads_.size(); ++c) {
     const std::size_t dof = machine_.coordinates()[c].dof;

@@ -13,47 +13,48 @@
 
 namespace lacuna::articulated {
 
-/// How a machine moves at one time. Rotors stand behind the tree.
+/// The motion of a machine at one time. Rotors follow the tree.
 struct Motion {
   std::vector<double> configuration, velocities;
-  std::vector<double> accelerations;  ///< of the step before, from which the next one is estimated
+  std::vector<double> accelerations;  ///< of the last step, from which the next one is estimated
   std::vector<double>
-      integrals;  ///< per actuator, of a PID's error; of a servo with a sample time the force that it holds
+      integrals;  ///< per actuator: integral of a PID's error; the held force of a servo with a sample time
 };
 
-/// How a coordinate meets its stops and its dry friction in a step.
+/// Settings of a coordinate's stops and dry friction in a step.
 enum class Contact : unsigned char { free, at_lower, at_upper };
 
-/// What commands do in a step; constant within it but for imposed velocities, which go on evenly.
+/// Commands of a step; constant within it except for imposed velocities, which change linearly.
 struct Commanded {
-  std::span<const double> values;  ///< per actuator; NaN: it is off; of an imposed velocity that at the step's end
-  std::span<const double> rates;   ///< per actuator, its change over time; of a PID and of an imposed velocity
-  double end = 0.0;                ///< s, of the step
+  std::span<const double>
+      values;                     ///< per actuator; NaN: it is off; for an imposed velocity its value at the step's end
+  std::span<const double> rates;  ///< per actuator, its rate of change; for a PID and an imposed velocity
+  double end = 0.0;               ///< s, of the step
 };
 
-/// One step of a machine, tried from a motion. In the middle of the step, where half of it at the velocities before has
-/// led, the equation of motion is solved for the velocities after it, with forces at the mean of both velocities; the
-/// other half of the way is gone at those. That is symmetric in time, of second order, and drifts off no energy
-/// (position Verlet, with the forces that depend on velocities at the mean: the implicit midpoint rule). Springs and
-/// dampers enter implicitly (step_weights.h), dry friction as an impulse.
+/// One trial step of a machine from a motion. In the middle of the step, reached at the velocities before, the equation
+/// of motion is solved for the velocities after it, with forces at the mean of both velocities; the second half of the
+/// way is made at those. This is symmetric in time, of second order, and has no energy drift (position Verlet, with the
+/// forces that depend on velocities at the mean: the implicit midpoint rule). Springs and dampers enter implicitly
+/// (step_weights.h), dry friction as an impulse.
 class Step {
  public:
   Step(const Machine& machine, const simulation::ElementCoordinates& elements);
 
-  /// Has the views of a source show bodies; otherwise they are not computed.
+  /// Lets the views of a source contain bodies; otherwise they are not computed.
   void look_at_bodies(bool look) { look_at_bodies_ = look; }
-  /// The machine has other numbers.
+  /// Updates to new numbers of the machine.
   void take_numbers() { dynamics_.take_numbers(); }
-  /// Whether there is anything to ask a source for.
+  /// Whether a source has any loads.
   void ask(simulation::LoadSource* source) { source_ = source; }
 
-  /// `stopped`: per coordinate. `reversals`: whether dry friction may turn round within the step; otherwise it keeps
-  /// the direction that it has at the start of the step, where there is motion, whatever the motion does.
+  /// `stopped`: per coordinate. `reversals`: whether dry friction may change its sign within the step; otherwise it
+  /// keeps the sign from the start of the step, where there is motion, whatever the motion does.
   void take(const Motion& from, double begin, double length, const Commanded& commanded,
             std::span<const Contact> stopped, bool reversals, const Eigen::Vector3d& gravity);
 
   const Motion& after() const { return after_; }
-  /// Tells the source that the step was taken.
+  /// Informs the source that the step was taken.
   void keep();
   /// Removes the velocity of a coordinate at a motion, by an impulse on it.
   void stop(std::size_t coordinate, Motion& motion);
@@ -63,10 +64,10 @@ class Step {
     if (machine_.coordinates()[coordinate].imposed) return false;
     return loads_[coordinate].friction_lower < 0.0 || loads_[coordinate].friction_upper > 0.0;
   }
-  /// Of a PID's integral over the step; 0 where the force is at its limit and would be driven further into it.
+  /// Change of a PID's integral over the step; 0 where the force is at its limit and would go further into it.
   double integral_rate(std::size_t actuator, double command) const;
 
-  /// Mean of what a coordinate's laws and actuators exerted on it.
+  /// Mean force of a coordinate's laws and actuators.
   double coordinate_force(std::size_t coordinate) const { return coordinate_forces_[coordinate]; }
 
   /// Fills the view with a motion.
@@ -92,7 +93,7 @@ class Step {
   void add_actuator(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
   void impose(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
   void add_transmission(std::size_t actuator, const Motion& from, double length);
-  /// Of dry friction on a coordinate whose velocities are imposed, over the step: it turns round with them.
+  /// Dry friction over the step on a coordinate with an imposed velocity: it changes its sign with the velocity.
   double imposed_friction(std::size_t coordinate, double before, double after) const;
   void add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from, double length);
   void couple(std::span<double> matrix) const;
@@ -129,7 +130,7 @@ class Step {
   std::vector<double> drag_;  ///< of the tree's velocities
   bool has_drag_ = false;
   std::vector<double> actuator_forces_, coordinate_forces_;
-  std::vector<double> supply_shares_;  ///< per actuator: the part of its force that the sagging supply leaves
+  std::vector<double> supply_shares_;  ///< per actuator: the share of its force that the sagging supply leaves
   Motion after_;
   // the view
   StepView view_;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kCoupled = 1e6;  ///< times the larger of two coupled inertias
 constexpr double kLeastRatio = 1e-6;
 
-/// Of the force that an actuator would exert at rest.
+/// Share of the force that an actuator would exert at rest.
 double share_of_supply(double sag, double force) { return 1.0 / (1.0 + sag * std::abs(force)); }
 
 double beyond_gap(double twist, double gap) {
@@ -19,7 +19,7 @@ double beyond_gap(double twist, double gap) {
   return twist < -half ? twist + half : 0.0;
 }
 
-/// Of an even way through `twist`, `way` long, how much is beyond the gap.
+/// For a uniform motion through `twist` with length `way`, the mean part beyond the gap.
 double share_beyond_gap(double twist, double way, double gap) {
   const double half = 0.5 * gap, reach = 0.5 * std::abs(way);
   if (reach == 0.0) return std::abs(twist) > half ? 1.0 : 0.0;
@@ -29,7 +29,7 @@ double share_beyond_gap(double twist, double way, double gap) {
 
 }  // namespace
 
-/// The share of the step in which the velocity is positive decides.
+/// The share of the step with a positive velocity decides.
 double Step::imposed_friction(std::size_t c, double before, double after) const {
   const double change = after - before;
   double forward = 0.5;
@@ -103,7 +103,7 @@ void Step::add_transmission(std::size_t a, const Motion& from, double length) {
   const double stretch = beyond_gap(twist, actuator.gap);
   double stiffness = actuator.stiffness, flank_damping = actuator.damping;
   if (actuator.gap > 0.0) {
-    // A flank that is met or left within the step resists for its part of it: the damping jumps there.
+    // A flank that is met or left within the step resists for its part of the step, because the damping jumps there.
     flank_damping *= share_beyond_gap(twist, length * (mean_[actuator.dof] - mean_[joint.dof]), actuator.gap);
     if (stretch == 0.0) stiffness = 0.0;
     if (stiffness == 0.0 && flank_damping == 0.0) return;
@@ -124,8 +124,8 @@ void Step::add_transmission(std::size_t a, const Motion& from, double length) {
   matrix[actuator.dof * dofs_ + joint.dof] -= resistance;
 }
 
-/// An inertia against the velocity at which two coupled coordinates would part: so large that they hardly do, and no
-/// larger, so that the system can be solved. What is left of it is taken off the positions after the step.
+/// A penalty inertia against the relative velocity of two coupled coordinates: so large that they hardly separate, but
+/// small enough for the system to be solved. The remaining separation is removed from the positions after the step.
 void Step::couple(std::span<double> matrix) const {
   for (const CouplingNumbers& c : machine_.couplings()) {
     const double own = inertia_[c.dof * (dofs_ + 1)], leading = inertia_[c.leading_dof * (dofs_ + 1)];

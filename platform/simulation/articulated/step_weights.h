@@ -4,15 +4,15 @@
 
 namespace lacuna::articulated {
 
-/// At which moment of a step of length h the forces of springs and dampers are taken. What the step resolves is taken
-/// at its middle, which is of second order and keeps the amplitude of an oscillation. What it does not resolve is taken
-/// later, up to its end, so that it decays within a few steps and never alternates.
+/// The time within a step of length h at which the forces of springs and dampers are evaluated. Motions that the step
+/// resolves use its middle, which is of second order and keeps the amplitude of an oscillation. Others use a later
+/// time, up to its end, so that they decay within a few steps and never alternate.
 
 /// A damper of a rate damping·mobility (1/s): its velocity is (1 − late)·before + late·after.
 /// The factor (1 − (1 − late)·z)/(1 + late·z) by which a step changes a velocity, z = rate·h, stays positive.
 inline double late_damping(double rate_times_step) { return rate_times_step > 2.0 ? 1.0 - 1.0 / rate_times_step : 0.5; }
 
-/// A spring: the way from the middle of the step at which its position is taken, before·h·v + after·h·v'.
+/// A spring: the distance from the middle of the step at which its position is evaluated, before·h·v + after·h·v'.
 struct SpringWeights {
   double before = -0.25, after = 0.25;
 };

@@ -13,13 +13,13 @@
 
 namespace lacuna::articulated {
 
-/// The place of the `i`th of what begins at `first`.
+/// The index of the `i`th element of a range that begins at `first`.
 inline std::size_t nth(int first, int i) { return static_cast<std::size_t>(first) + static_cast<std::size_t>(i); }
 
-/// How a link moves against its parent. `floating`: no joint holds it, but a free one may give it coordinates.
+/// Motion of a link relative to its parent. `floating`: no joint holds it, but a free one may give it coordinates.
 enum class LinkKind { hinge, slider, universal, ball, fixed, floating };
 
-/// A body with what holds it. Everything is of the zero configuration, in the world's axes.
+/// A body and its joint. All values are those of the zero configuration, in the world's axes.
 struct Link {
   LinkKind kind = LinkKind::fixed;
   int body = 0;      ///< index into the robot's
@@ -37,24 +37,24 @@ struct Link {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass
 };
 
-/// A robot's links, each after its parent, and how their motion is counted.
+/// A robot's links, each after its parent, and the coordinates of their motion.
 ///
-/// A configuration holds for each link: hinge and slider the coordinate, universal both; ball the unit quaternion
-/// (w, x, y, z) of its turn in the parent's frame; floating the centre of mass in the world and the unit quaternion of
-/// the turn from the zero pose. The velocities: of the coordinates; ball the angular velocity relative to the parent,
-/// in the parent's frame; floating that of the centre of mass, then the angular velocity, both in the world.
+/// A configuration holds for each link: hinge and slider the coordinate, universal both; ball the unit quaternion (w,
+/// x, y, z) of its rotation in the parent's frame; floating the centre of mass in the world and the unit quaternion of
+/// the rotation from the zero pose. The velocities: of the coordinates; ball the angular velocity relative to the
+/// parent, in the parent's frame; floating that of the centre of mass, then the angular velocity, both in the world.
 class Tree {
  public:
   Tree(const RobotSpec& robot, const simulation::JointTree& joints);
 
-  /// Takes over the numbers of a robot of the same structure.
+  /// Updates the numbers from a robot of the same structure.
   void set(const RobotSpec& robot);
 
   const std::vector<Link>& links() const { return links_; }
   std::size_t dofs() const { return dofs_; }
   std::size_t positions() const { return positions_; }
   std::size_t link_of_body(std::size_t body) const { return link_of_body_[body]; }
-  /// Per joint coordinate, the velocity that belongs to it.
+  /// The velocity of each joint coordinate.
   std::span<const std::size_t> dof_of_coordinate() const { return dof_of_coordinate_; }
 
   /// The configuration `time` later at constant velocities.

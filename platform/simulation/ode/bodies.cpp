@@ -42,8 +42,8 @@ void set_motion(dBodyID body, const Pose& pose, const BodyState& s) {
 }
 
 void set_orientation(const Pose& pose, const Eigen::Quaterniond& q) {
-  // dBodySetQuaternion normalises, which changes the last bits of what was normalised before. So everything goes where
-  // ODE keeps it, and the rotation is that of dQtoR, bit for bit.
+  // dBodySetQuaternion normalises, which changes the last bits of a normalised quaternion. So everything is written
+  // where ODE keeps it, with the rotation of dQtoR, bit for bit.
   auto* quaternion = const_cast<double*>(pose.quaternion);
   quaternion[0] = q.w(), quaternion[1] = q.x(), quaternion[2] = q.y(), quaternion[3] = q.z();
   auto* rotation = const_cast<double*>(pose.rotation);

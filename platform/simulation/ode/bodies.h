@@ -22,7 +22,7 @@ namespace lacuna::ode {
 using MapVector = Eigen::Map<const Eigen::Vector3d>;
 using MapRotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<4>>;
 
-/// Where ODE keeps a body's motion, or constants that stand for the world.
+/// The address of a body's motion in ODE, or of constants for the world.
 struct Pose {
   const double* position;
   const double* rotation;
@@ -40,18 +40,18 @@ struct Pose {
 inline constexpr std::size_t kDoublesPerBody = 13;
 using BodyState = std::array<double, kDoublesPerBody>;
 
-/// Gives a body exactly this motion; the quaternion must be a unit one. `pose`: the body's.
+/// Sets a body's motion exactly; the quaternion must be a unit quaternion. `pose`: the body's.
 void set_motion(dBodyID body, const Pose& pose, const BodyState& state);
 
-/// Gives a body's orientation, a unit quaternion, and the rotation that ODE makes of it. Its shapes do not know yet.
+/// Sets a body's orientation, a unit quaternion, with ODE's rotation matrix. Its shapes are not updated.
 void set_orientation(const Pose& pose, const Eigen::Quaterniond& orientation);
-/// Tells a body's shapes that its pose has been changed.
+/// Updates a body's shapes after a change of its pose.
 void tell_shapes(dBodyID body, const Pose& pose);
 
-/// A robot's bodies in an ODE world. ODE's body frame is the spec's, moved to the centre of mass.
+/// A robot's bodies in an ODE world. ODE's body frame is that of the spec, moved to the centre of mass.
 class Bodies {
  public:
-  /// Creates the bodies at their zero poses; those of before must be gone.
+  /// Creates the bodies at their zero poses; earlier ones must have been removed.
   void create(dWorldID world, const RobotSpec& robot);
   void destroy();
 
@@ -59,7 +59,7 @@ class Bodies {
   void save(simulation::StateWriter& writer) const;
   void load(simulation::StateReader& reader);
 
-  /// Remembers motions and loads, which a step uses up, so that `take_back` can undo it.
+  /// Saves motions and loads, which a step changes, so that `take_back` can undo it.
   void hold();
   void take_back();
 
@@ -67,9 +67,9 @@ class Bodies {
   void read(std::span<Eigen::Vector3d> positions, std::span<Eigen::Vector3d> velocities,
             std::span<Eigen::Quaterniond> orientations, std::span<Eigen::Vector3d> angular_velocities) const;
 
-  /// Index of a body that is not finite or beyond sane bounds, or −1.
+  /// Index of a body with values that are not finite or beyond sane bounds, or −1.
   int exploded() const;
-  /// What is wrong with an exploded body, without a subject: "moves at ...".
+  /// The fault of an exploded body, without a subject: "moves at ...".
   std::string describe(int body) const;
 
   /// Of all bodies together, in the world, m.

@@ -9,9 +9,9 @@ namespace lacuna::ode {
 namespace {
 
 constexpr double kBouncing = 0.01;  // m/s; slower impacts do not bounce
-constexpr double kHolding = 1e6;    // μ that stands for infinite where limits have to follow the normal force
+constexpr double kHolding = 1e6;    // μ for infinite friction where limits must follow the normal force
 constexpr double kTie = 1e-12;      // m
-constexpr double kSliding = 1e-6;   // m/s; slower contacts keep the friction pyramid's own directions
+constexpr double kSliding = 1e-6;   // m/s; slower contacts keep the default directions of the friction pyramid
 
 int most_contacts_of(ShapeKind kind) {
   switch (kind) {
@@ -34,8 +34,8 @@ dGeomID make_geom(const ShapeSpec& shape) {
   return nullptr;
 }
 
-/// What ODE's contact joint is told of the laws of a contact; what the contact does not have costs no row. ODE lets the
-/// limits of sliding and rolling follow the normal force only together, and not with an infinite μ.
+/// Settings of ODE's contact joint for the laws of a contact; laws that are absent cost no row. In ODE the limits of
+/// sliding and rolling can follow the normal force only together, and not with an infinite μ.
 void set_surface(dContact& c, const ContactSpec& contact, double step, double rigid_erp) {
   const bool rigid = std::isinf(contact.stiffness);
   const double damping =
@@ -142,8 +142,8 @@ void Ground::begin_step(dWorldID world, const ContactSpec& contact, double step,
 }
 
 void Ground::align_friction(const Pose& body, dContact& contact) const {
-  // The cone is solved as a pyramid; with an edge along the sliding velocity its limit is the
-  // cone's in whatever direction the body slides.
+  // The cone is solved as a pyramid; with an edge along the sliding velocity its limit equals that of the cone in any
+  // direction of sliding.
   const MapVector normal(contact.geom.normal), point(contact.geom.pos);
   const Eigen::Vector3d velocity = body.v() + body.w().cross(point - body.x());
   const Eigen::Vector3d sliding = velocity - normal * normal.dot(velocity);

@@ -11,8 +11,8 @@
 
 namespace lacuna::ode {
 
-/// The ground plane and the bodies' shapes. Each shape is tested against the plane by itself:
-/// ODE's spaces allocate in a step and shapes never touch each other.
+/// The ground plane and the bodies' shapes. Each shape is tested against the plane separately: ODE's spaces allocate in
+/// a step, and shapes never touch each other.
 class Ground {
  public:
   Ground();
@@ -32,8 +32,8 @@ class Ground {
   void begin_step(dWorldID world, const ContactSpec& contact, double step, double rigid_erp);
   void end_step();
 
-  /// Moves the contacts that `collide` found apart, by far less than anybody could see: where several begin alike, as
-  /// parts that lie equally deep, ODE may find no order in which to solve them.
+  /// Separates the contacts found by `collide` by an invisible distance: where several begin in the same way, as for
+  /// parts at equal depth, ODE may find no order to solve them.
   void break_ties();
 
   std::span<const unsigned char> touching() const { return touching_; }                ///< per body
@@ -55,7 +55,7 @@ class Ground {
   dJointGroupID group_;
   double slope_ = 0.0;
   bool measure_force_ = false;
-  std::vector<dContact> contacts_;  // room for the most there can be
+  std::vector<dContact> contacts_;  // capacity for all possible contacts
   std::vector<int> contact_bodies_;
   std::vector<dJointFeedback> feedback_;
   std::size_t contact_count_ = 0;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 Vector3d across(const Vector3d& axis) { return axis.unitOrthogonal(); }
 
-/// The angle that has `wrapped`'s direction and lies nearest to `before`.
+/// The angle with the direction of `wrapped` that lies nearest to `before`.
 double unwrapped(double wrapped, double before) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (std::abs(before - wrapped) < 0.5 * kTurn) return wrapped;
@@ -151,8 +151,8 @@ void Joints::update_slider(const Geometry& g) {
 }
 
 void Joints::update_universal(const Geometry& g) {
-  // R(parent ← child) = R(axis, q1)·R(u, q2): the first turns u across the axis, the second
-  // turns the axis as the child sees it.
+  // R(parent ← child) = R(axis, q1)·R(u, q2): the first turns u across the axis, the second turns the axis as seen from
+  // the child.
   CoordinateData &first = coordinates_[g.first], &second = coordinates_[g.first + 1];
   first.axis = g.parent.R() * g.axis_p;
   second.axis = g.child.R() * g.u_c;
@@ -202,7 +202,7 @@ void Joints::add_force(std::size_t coordinate, double force) const {
   }
   dBodyAddForce(c.child_id, f.x(), f.y(), f.z());
   if (!c.parent_id) return;
-  const Vector3d reaction = f.cross(c.arm);  // as if the force pulled where the child's centre is
+  const Vector3d reaction = f.cross(c.arm);  // as if the force acted at the child's centre
   dBodyAddForce(c.parent_id, -f.x(), -f.y(), -f.z());
   dBodyAddTorque(c.parent_id, reaction.x(), reaction.y(), reaction.z());
 }

@@ -12,25 +12,25 @@
 
 namespace lacuna::ode {
 
-/// The ideal joints of a robot and their coordinates. ODE's own joint angles wrap and change
-/// their sign with the order of attachment, so the coordinates are computed here, from the
-/// bodies; positive is child relative to parent for all of them.
+/// The ideal joints of a robot and their coordinates. ODE's joint angles wrap and change their sign with the order of
+/// attachment, so the coordinates are computed here from the bodies; positive is child relative to parent for all of
+/// them.
 class Joints {
  public:
   explicit Joints(const simulation::JointTree& tree);
 
-  /// Creates the joints of a robot whose bodies stand at their zero poses.
+  /// Creates the joints of a robot whose bodies are at their zero poses.
   void create(dWorldID world, const RobotSpec& robot, const Bodies& bodies);
   void destroy();
 
-  /// Computes coordinates, velocities and axes from the bodies. Turns are counted from the
-  /// coordinates before; `set_positions` gives the first ones.
+  /// Computes coordinates, velocities and axes from the bodies. Turns continue from the last coordinates;
+  /// `set_positions` gives the first ones.
   void update();
   void set_positions(std::span<const double> positions);
 
   std::span<const double> positions() const { return positions_; }
   std::span<const double> velocities() const { return velocities_; }
-  /// A coordinate's velocity now along its axis of the last `update`: what a constraint row sees.
+  /// A coordinate's current velocity along its axis of the last `update`, as in a constraint row.
   double row_velocity(std::size_t coordinate) const;
   /// Adds a generalised force for the next step.
   void add_force(std::size_t coordinate, double force) const;

@@ -9,7 +9,7 @@
 namespace lacuna::ode {
 namespace {
 
-// N or N·m; far larger ones overflow inside ODE, which costs its world.
+// N or N·m; larger values overflow inside ODE and make its world unusable.
 constexpr double kLargestForce = 1e15;
 
 }  // namespace
@@ -55,7 +55,7 @@ void Mechanism::build(const RobotSpec& robot, const MechanismNeeds& needs, std::
 
 void Mechanism::create_rows(const RobotSpec& robot, std::span<const ActuatorPlace> actuators) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    if (robot.joints[j].kind == JointKind::free) continue;  // nothing acts on its coordinates
+    if (robot.joints[j].kind == JointKind::free) continue;  // no law acts on its coordinates
     const auto first = static_cast<std::size_t>(tree_.first_coordinate[j]);
     const auto count = static_cast<std::size_t>(simulation::coordinate_count(robot.joints[j].kind));
     for (std::size_t i = first; i < first + count; ++i) {
@@ -184,8 +184,8 @@ void Mechanism::set_laws(std::span<const JointLoad> loads) {
   }
 }
 
-/// The loads' force is that at the velocity v before the step; the row adds what it is less of at v' after it:
-/// λ = −b·(v' − v) − k·h·v' − I·(v' − v)/h, written as (target − v')/compliance, is zero at v' = v but for the spring.
+/// The loads' force is that at the velocity v before the step; the row adds its decrease at v' after it: λ = −b·(v' −
+/// v) − k·h·v' − I·(v' − v)/h, written as (target − v')/compliance; without a spring it is zero at v' = v.
 void Mechanism::set_impedance(CoordinateRows& rows, const JointLoad& load, double velocity) const {
   const double inert = load.damping + rows.armature / h_;
   rows.resistance = inert + h_ * load.stiffness;

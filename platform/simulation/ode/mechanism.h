@@ -17,7 +17,7 @@
 
 namespace lacuna::ode {
 
-/// What the rows of a mechanism are created for; what is not asked for costs nothing.
+/// Optional parts of a mechanism; unused ones cost nothing.
 struct MechanismNeeds {
   bool laws_vary = false;         ///< effects may put any law on any coordinate in a step
   bool measure_joints = false;    ///< are joint forces read?
@@ -27,20 +27,20 @@ struct MechanismNeeds {
 /// How an actuator acts on the mechanism in one simulation.
 struct ActuatorPlace {
   std::size_t coordinate = 0;
-  bool servo = false;              ///< has a constraint row of its own
+  bool servo = false;              ///< has a separate constraint row
   bool compliant = false;          ///< acts through a spring: force and damping change each step
   double reflected_inertia = 0.0;  ///< of a rigidly coupled rotor, on the joint's side
 };
 
-/// A robot in an ODE world of its own: bodies, joints, laws on the joint coordinates, servos and
-/// the ground. Belongs to one workspace.
+/// A robot in a separate ODE world: bodies, joints, laws on the joint coordinates, servos and the ground. Belongs to
+/// one workspace.
 class Mechanism {
  public:
   Mechanism(const simulation::JointTree& tree, const EngineSettings& settings);
   ~Mechanism();
 
-  /// Takes down what was there and builds the robot at its zero configuration. `robot` must
-  /// outlive its use; `actuators`: one each.
+  /// Removes the old robot and builds this one at its zero configuration. `robot` must outlive its use; `actuators`:
+  /// one each.
   void build(const RobotSpec& robot, const MechanismNeeds& needs, std::span<const ActuatorPlace> actuators);
 
   Bodies& bodies() { return bodies_; }
@@ -49,7 +49,7 @@ class Mechanism {
   const Joints& joints() const { return joints_; }
   Ground& ground() { return ground_; }
 
-  /// What the robot's own laws exert where it is: what each step starts from. Per coordinate.
+  /// Forces of the robot's own laws at its current state, the starting point of each step. Per coordinate.
   void add_own_loads(std::span<JointLoad> loads) const;
 
   void set_servo(std::size_t actuator, const simulation::ImplicitForce& law);
@@ -65,7 +65,7 @@ class Mechanism {
 
   /// Velocity of a coordinate at the end of the last step along its axis at the step's start.
   double row_velocity(std::size_t coordinate) const { return row_velocities_[coordinate]; }
-  /// What the laws (servos apart) exerted on a coordinate in the last step; needs `measure_joints`.
+  /// Force of the laws (without servos) on a coordinate in the last step; needs `measure_joints`.
   double law_force(std::size_t coordinate) const { return law_forces_[coordinate]; }
 
  private:

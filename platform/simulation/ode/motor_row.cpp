@@ -5,7 +5,7 @@
 namespace lacuna::ode {
 namespace {
 
-/// Which body ODE shall keep an axis fixed in.
+/// Body in which ODE keeps an axis fixed.
 int axis_owner(const Joints& joints, std::size_t coordinate) {
   constexpr int kWorldFrame = 0, kFirstBody = 1, kSecondBody = 2;
   if (joints.axis_on_child(coordinate)) return kFirstBody;

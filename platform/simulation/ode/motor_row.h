@@ -6,13 +6,13 @@
 
 namespace lacuna::ode {
 
-/// Least regularisation of a row, (m/s)/N or (rad/s)/(N·m). Two rows on one coordinate without
-/// any have no unique solution, and ODE then drops all forces with a message.
+/// Smallest regularisation of a row, (m/s)/N or (rad/s)/(N·m). Two rows on one coordinate without any have no unique
+/// solution, and ODE then drops all forces with a message.
 inline constexpr double kLeastCompliance = 1e-10;
 
-/// One more constraint row on a joint coordinate, with a joint of ODE's of its own: a force λ
-/// within ±limit such that velocity + compliance·λ = target at the end of the step. One row a law:
-/// dry friction has target 0, viscous friction a compliance of 1/b, a servo both.
+/// One more constraint row on a joint coordinate, with a separate joint of ODE: a force λ within ±limit such that
+/// velocity + compliance·λ = target at the end of the step. One row per law: dry friction has target 0, viscous
+/// friction a compliance of 1/b, a servo both.
 class MotorRow {
  public:
   void create(dWorldID world, const Joints& joints, std::size_t coordinate);
@@ -20,7 +20,7 @@ class MotorRow {
   bool exists() const { return joint_ != nullptr; }
 
   void set_target(double velocity) { set(dParamVel, velocity); }
-  /// `limit` 0 takes the row out of the step, infinity frees it of the solver's pivoting.
+  /// `limit` 0 removes the row from the step, infinity excludes it from the solver's pivoting.
   void set_law(double compliance, double limit);
   /// Force in the last step along `axis` (of that step); needs `measure`.
   double measured_force(const Eigen::Vector3d& axis) const;
@@ -39,8 +39,8 @@ class MotorRow {
   dJointFeedback feedback_{};
 };
 
-/// Stops of a joint coordinate. A rotation's is a row of its own that is told the angle with its
-/// turns, since ODE's hinge angle wraps; a slider has its own.
+/// Stops of a joint coordinate. A rotation has a separate row that gets the angle with its turns, because ODE's hinge
+/// angle wraps; a slider uses ODE's own stops.
 class StopRow {
  public:
   void create(dWorldID world, const Joints& joints, std::size_t coordinate, double lower, double upper);

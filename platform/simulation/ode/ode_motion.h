@@ -11,8 +11,8 @@
 
 namespace lacuna::ode {
 
-/// A robot in ODE with its actuators. Loads are asked for at the start of a step; their slopes hold for the change of
-/// the velocity to its end, and for the way that it then goes (implicit Euler).
+/// A robot in ODE with its actuators. Loads are requested at the start of a step; their slopes apply to the change of
+/// the velocity to its end, and to the distance that follows (implicit Euler).
 class OdeMotion : public simulation::RobotMotion {
  public:
   explicit OdeMotion(const simulation::EngineModel& model);

@@ -28,7 +28,7 @@ void complain(int /*number*/, const char* format, va_list arguments) {
   if (complaint_text[0] == '\0') write_message(complaint_text, format, arguments);
 }
 
-/// ODE itself writes to what it has not got.
+/// ODE writes to memory that it failed to allocate.
 void* allocate(dsizeint size) {
   void* const memory = std::malloc(size);
   if (memory == nullptr && size > 0) throw std::bad_alloc();

@@ -2,12 +2,11 @@
 
 namespace lacuna::ode {
 
-/// Makes ODE ready for the calling thread: initialises the library once a process, installs
-/// handlers that throw instead of ending the process, and gives the thread its own data, which
-/// is released when the thread ends.
+/// Prepares ODE for the calling thread: initialises the library once per process, installs handlers that throw instead
+/// of ending the process, and gives the thread its own data, which is released when the thread ends.
 void join_session();
 
-/// Forgets what ODE has complained about in this thread.
+/// Clears ODE's messages in this thread.
 void clear_complaint();
 /// ODE reports some failures by a message only (two motors on one coordinate without
 /// regularisation: all forces zero). The first since `clear_complaint`, or empty.

@@ -35,7 +35,7 @@ World::~World() {
 }
 
 void World::reserve(std::size_t bodies, std::size_t joints, std::size_t rows) {
-  // The step holds a few matrices of rows × rows and rows × 16, and some hundred bytes a body and joint.
+  // A step needs a few matrices of rows × rows and rows × 16, and some hundred bytes per body and joint.
   const std::size_t padded = rows + 8;
   const std::size_t bytes = 65536 + sizeof(dReal) * (3 * padded * padded + 96 * padded) + 1024 * (bodies + joints);
   dWorldStepReserveInfo info{};

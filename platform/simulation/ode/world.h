@@ -6,8 +6,8 @@
 
 namespace lacuna::ode {
 
-/// An ODE world with a threading implementation of its own; without that, worlds stepped in
-/// separate threads abort the process. Used by one thread at a time.
+/// An ODE world with its own threading implementation; without that, worlds stepped in separate threads abort the
+/// process. Used by one thread at a time.
 class World {
  public:
   World();
@@ -16,11 +16,11 @@ class World {
   World& operator=(const World&) = delete;
 
   dWorldID id() const { return id_; }
-  /// After an exception out of a step: the threading holds jobs that will never be done, and ODE
-  /// ends the process if it is freed. It stays allocated (some kB) when the world goes.
+  /// After an exception in a step: the threading holds jobs that will never be done, and ODE ends the process if it is
+  /// freed. It stays allocated (some kB) when the world is destroyed.
   void mark_failed() { failed_ = true; }
-  /// Asks ODE to keep memory for steps with this many bodies and constraint rows, so that a step
-  /// that meets more contacts than those before it does not allocate.
+  /// Makes ODE reserve memory for steps with this many bodies and constraint rows, so that a step with more contacts
+  /// than before does not allocate.
   void reserve(std::size_t bodies, std::size_t joints, std::size_t rows);
 
  private:

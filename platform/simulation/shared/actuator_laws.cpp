@@ -6,7 +6,7 @@
 namespace lacuna::simulation {
 namespace {
 
-/// The part of the twist that the spring sees.
+/// The part of the twist that loads the spring.
 double beyond_gap(double twist, double gap) {
   const double half = 0.5 * gap;
   if (twist > half) return twist - half;
@@ -69,12 +69,12 @@ CompliantTransmission::CompliantTransmission(const TransmissionSpec& spec, const
   spring_force_ = spec.stiffness * stretch;
   coupling_ = engaged ? step * spec.stiffness + spec.damping : 0.0;
 
-  // A motor at its limit pushes with that limit whatever the velocity.
+  // A motor at its limit exerts that limit at any velocity.
   const double foreseen = motor.at(rotor.rotor_velocity);
   const bool limited = std::abs(foreseen) >= motor.limit;
   inertia_ = rotor_inertia + coupling_ + (limited ? 0.0 : motor.slope);
   drive_ = (limited ? foreseen : motor.force) + rotor_inertia * rotor.rotor_velocity;
-  if (inertia_ <= 0.0) {  // a rotor without inertia, free in its gap, goes along with the joint
+  if (inertia_ <= 0.0) {  // a rotor without inertia, free in its gap, moves with the joint
     inertia_ = 1.0;
     drive_ = joint_velocity;
   }

@@ -4,7 +4,7 @@
 
 namespace lacuna::simulation {
 
-/// What an actuator remembers from step to step; part of the State.
+/// An actuator's memory between steps; part of the State.
 struct ActuatorMemory {
   double force = 0.0;           ///< exerted in the last step, joint side
   double integral = 0.0;        ///< of a PID's error, rad·s or m·s
@@ -21,17 +21,16 @@ struct ImplicitForce {
   double at(double velocity) const;
 };
 
-/// The actuator's law for the coming step of length h, at the position of what it drives. `rate`: by how much the
-/// command changes in a second.
+/// The actuator's law for the coming step of length h, at the position of the coordinate that it drives. `rate`: change
+/// of the command per second.
 ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double rate, double position,
                            const ActuatorMemory& memory, double step);
 
-/// The same on a supply that sags, for about the velocity of what the actuator drives.
+/// The same on a supply that sags, near the velocity of the coordinate that it drives.
 ImplicitForce on_sagging_supply(const ImplicitForce& law, double sag, double velocity);
 
-/// Puts down what a PID remembers, once the step has led to `position` with `force`. Its integral
-/// stands still while the force is at its limit and would be driven further into it.
-/// `limit`: of that force.
+/// Updates a PID's memory after the step has led to `position` with `force`. Its integral stops while the force is at
+/// its limit and would go further into it. `limit`: of that force.
 void remember_pid(double limit, double command, double position, double force, double step, ActuatorMemory& memory);
 
 /// A compliant transmission between an actuator and its joint for one step (M. W. Spong, J. Dyn.
@@ -44,8 +43,8 @@ class CompliantTransmission {
                         double joint_position, double joint_velocity, double step);
   double joint_force() const { return joint_force_; }
   double joint_damping() const { return joint_damping_; }
-  /// Moves the rotor through the step that led to `joint_velocity`. The force in the transmission
-  /// becomes the actuator's.
+  /// Moves the rotor through the step that led to `joint_velocity`. The actuator's force becomes that of the
+  /// transmission.
   void advance(double joint_velocity, ActuatorMemory& rotor) const;
 
  private:

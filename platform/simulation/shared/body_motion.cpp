@@ -12,13 +12,13 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// How a body has moved away from its zero pose, as a rigid motion of the world's points, and its
-/// velocity there: point p of the zero configuration is at rotation·p + shift.
+/// Displacement of a body from its zero pose, as a rigid motion of the world's points, and its velocity there: point p
+/// of the zero configuration is at rotation·p + shift.
 struct Displacement {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d shift{0.0, 0.0, 0.0};
   Vector3d angular_velocity{0.0, 0.0, 0.0};
-  Vector3d origin_velocity{0.0, 0.0, 0.0};  ///< of the body's point that is at the world's origin now
+  Vector3d origin_velocity{0.0, 0.0, 0.0};  ///< of the body's point that is currently at the world's origin
 
   Vector3d moved(const Vector3d& zero_point) const { return rotation * zero_point + shift; }
   Vector3d velocity_at(const Vector3d& point) const { return origin_velocity + angular_velocity.cross(point); }
@@ -74,7 +74,7 @@ JointMotion motion_of(const JointSpec& joint, const Matrix3d& parent_frame, cons
 /// In the zero configuration, world.
 Vector3d centre_of_mass(const BodySpec& body) { return body.position + body.orientation.normalized() * body.com; }
 
-/// Puts a joint's motion on top of its parent's displacement.
+/// Adds a joint's motion to its parent's displacement.
 Displacement compose(const Displacement& parent, const JointMotion& motion, const Vector3d& anchor) {
   Displacement child;
   child.rotation = parent.rotation * motion.rotation;

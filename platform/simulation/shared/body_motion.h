@@ -17,9 +17,9 @@ struct BodyMotion {
   Eigen::Vector3d angular_velocity{0.0, 0.0, 0.0};
 };
 
-/// Forward kinematics: where the bodies are, and how they move, for the given joint coordinates
-/// (empty: zero). Bodies that float are at their pose in the spec, at rest. The velocities of a
-/// ball joint are the child's angular velocity relative to the parent, in the parent frame.
+/// Forward kinematics: positions and velocities of the bodies for the given joint coordinates (empty: zero). Floating
+/// bodies are at their pose in the spec, at rest. The velocities of a ball joint are the child's angular velocity
+/// relative to the parent, in the parent frame.
 void place_bodies(const RobotSpec& robot, const JointTree& tree, const StartState& start, std::span<BodyMotion> bodies);
 
 }  // namespace lacuna::simulation

@@ -5,7 +5,7 @@
 namespace lacuna::simulation {
 namespace {
 
-constexpr double kWholeTolerance = 1e-9;  // steps: k·h/h may miss k by rounding
+constexpr double kWholeTolerance = 1e-9;  // steps: tolerance of k·h/h against k
 
 }  // namespace
 

@@ -16,15 +16,14 @@ struct Delay {
   bool none() const { return whole == 0 && fraction == 0.0; }
 };
 
-/// `seconds` in integration steps of `settings`, rounded as they say.
+/// `seconds` in integration steps of `settings`, rounded according to the settings.
 Delay make_delay(double seconds, const EngineSettings& settings);
 
-/// The last values of a signal that is sampled, or held, once an integration step. Linear
-/// interpolation between two samples is the exact delay of a sampled signal, and the exact mean
-/// over the step of a delayed held one.
+/// The last values of a signal that is sampled, or held, once per integration step. Linear interpolation between two
+/// samples is the exact delay of a sampled signal, and the exact mean over the step of a delayed held one.
 class DelayLine {
  public:
-  /// Room for delays up to `longest`.
+  /// Capacity for delays up to `longest`.
   explicit DelayLine(const Delay& longest) : values_(longest.none() ? 0 : longest.whole + 2) {}
 
   bool reaches(const Delay& delay) const { return delay.none() || delay.whole + 2 <= values_.size(); }

@@ -9,7 +9,7 @@
 namespace lacuna::simulation {
 namespace {
 
-constexpr double kClockTolerance = 1e-9;  // control periods: n·h/period may miss a whole number by rounding
+constexpr double kClockTolerance = 1e-9;  // control periods: tolerance of n·h/period against a whole number
 
 }  // namespace
 

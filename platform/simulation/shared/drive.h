@@ -12,31 +12,31 @@
 
 namespace lacuna::simulation {
 
-/// Where the commands of one simulation come from: a recorded series or a controller. Gives each
-/// actuator the mean of its delayed command over the coming step. Belongs to a workspace.
+/// The source of the commands of one simulation: a recorded series or a controller. Gives each actuator the mean of its
+/// delayed command over the coming step. Belongs to a workspace.
 class Drive {
  public:
-  /// `longest`: per actuator, the longest delay that a simulation may ask for.
+  /// `longest`: per actuator, the longest delay of any simulation.
   Drive(std::span<const Delay> longest, const EngineSettings& settings);
 
-  /// Takes over a test, which must outlive the simulation. Throws `Error` where it does not fit.
+  /// Takes a test, which must outlive the simulation. Throws `Error` where it does not match the robot.
   void open_source(const Test& test, const RobotSpec& robot);
-  /// Takes over a simulation's delays. Throws `Error` for one that is longer than declared.
+  /// Takes a simulation's delays. Throws `Error` for one that is longer than declared.
   void open_delays(const RobotSpec& robot);
   bool closed_loop() const { return controller_ != nullptr; }
   bool may_be_off() const { return may_be_off_; }
   std::size_t controller_state_size() const { return controller_state_.size(); }
 
-  /// Does the controller act before step `step`?
+  /// Whether the controller acts before step `step`.
   bool acts(std::uint64_t step) const;
   void act(double time, std::span<const double> sensors);
-  /// Prepares the commands of step `step`, which begins at `time`; `first`: there was none before.
+  /// Prepares the commands of step `step`, which begins at `time`; `first`: it is the first one.
   void begin_step(double time, bool first);
-  /// Mean over the step that has begun, delayed.
+  /// Mean over the current step, delayed.
   double command(std::size_t actuator);
   /// The same over the step before a start at `time`, of recorded commands.
   double command_before(std::size_t actuator, double time);
-  /// As it was sent, at `time` within the step that has begun.
+  /// The command as sent, at `time` within the current step.
   double sent(std::size_t actuator, double time);
 
   void save_lines(StateWriter& writer) const;
@@ -52,10 +52,10 @@ class Drive {
   double h_;
   const Controller* controller_ = nullptr;
   bool may_be_off_ = false;
-  RecordedCommands recorded_, sent_;  // two, since each is asked with ascending times
+  RecordedCommands recorded_, sent_;  // two, because each is queried with ascending times
   double step_begin_ = 0.0;
   std::vector<Delay> delays_;
-  std::vector<bool> of_step_end_;  // per actuator: its command is that at the end of a step, not the mean
+  std::vector<bool> of_step_end_;  // per actuator: uses its command at the end of a step, not the mean
   std::vector<DelayLine> lines_;
   std::vector<double> held_;  // per actuator, of the controller
   std::vector<double> controller_state_;

@@ -151,9 +151,9 @@ std::string EffectRunner::explain() {
   const std::size_t effect = running_;
   if (effect != kNone) {
     const PlacedEffect& placed = schedule_.effects()[effect];
-    const std::string reason = describe_current_exception(origin_of(placed), hook_);  // may call the plugin once more
+    const std::string reason = describe_current_exception(origin_of(placed), hook_);  // may call the plugin again
     ProcessWatch::changed();
-    leave();  // what fails next may not be an effect's fault
+    leave();  // the next failure may have another cause than an effect
     return "effect." + placed.id + ": " + reason;
   }
   try {

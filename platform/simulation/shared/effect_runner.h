@@ -13,34 +13,35 @@
 
 namespace lacuna::simulation {
 
-/// Calls the effects of one simulation and holds their state. Belongs to a workspace; nothing
-/// here allocates once it is constructed.
+/// Calls the effects of one simulation and holds their state. Belongs to a workspace; allocates nothing after
+/// construction.
 class EffectRunner {
  public:
   EffectRunner(const EffectSchedule& schedule, const ModelInstance& instance)
       : schedule_(schedule), instance_(instance), states_(schedule.state_size(), 0.0) {}
 
-  /// Comes first in every simulation, on the thread that carries it out.
+  /// Called first in every simulation, on its thread.
   void amend(RobotSpec& robot);
   void start(const StepView& view);
-  /// Throws `Error` that names the effect if what was added is not finite.
+  /// Throws `Error` that names the effect if a load is not finite.
   void add_loads(const StepView& view, double length, StepLoads& loads);
   void advance(const StepView& view, double length);
   double command(std::size_t actuator, double value, const StepView& view);
   void sense(std::size_t sensor, std::span<double> channels, const StepView& view);
-  /// By how much later than the motion the effects make the readings of a sensor, s.
+  /// Delay of a sensor's readings behind the motion because of the effects, s.
   double lateness(std::size_t sensor, double time);
 
   void save(StateWriter& writer) const { writer.put(states_); }
   void load(StateReader& reader) { reader.get(states_); }
 
-  /// Comes last. Throws `Error` where the effects changed the process: what is not looked at after each hook.
+  /// Called last. Throws `Error` where the effects changed the process; checks everything that is not checked after
+  /// each hook.
   void end() const;
 
-  /// Whether what is thrown left a hook of an effect. Before `explain`.
+  /// Whether the current exception came from a hook of an effect. Before `explain`.
   bool runs_one() const { return running_ != kNone; }
-  /// Only inside a `catch` block, once: a sentence about the exception, which names the effect if it
-  /// left one of the hooks.
+  /// Only inside a `catch` block, once: a sentence about the exception, which names the effect if it came from one of
+  /// the hooks.
   std::string explain();
 
  private:
@@ -50,7 +51,7 @@ class EffectRunner {
     hook_ = hook;
     call_->enter(schedule_.on_page(effect), hook);
   }
-  /// After each hook, in a few instructions.
+  /// Called after each hook; takes a few instructions.
   void check() const { throw_if_arithmetic_changed(hook_); }
   void leave() {
     running_ = kNone;

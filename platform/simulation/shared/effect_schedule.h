@@ -7,15 +7,15 @@
 
 namespace lacuna::simulation {
 
-/// The effects of a structure in their canonical order: by name, placement, id. Everything that
-/// follows from an effect's place in the list follows from this order, never from the file's.
+/// The effects of a structure in their canonical order: by name, placement, id. All results that depend on an effect's
+/// position use this order, never that of the file.
 std::vector<PlacedEffect> canonical(std::vector<PlacedEffect> effects);
 
-/// Which effects are called when. Const, part of the compiled model.
+/// The order of calls to effects. Const, part of the compiled model.
 class EffectSchedule {
  public:
-  /// `effects` in canonical order, must outlive the schedule. Throws `BadInput` for effects whose
-  /// values or elements do not fit and for hooks that their placement cannot serve.
+  /// `effects` in canonical order, must outlive the schedule. Throws `BadInput` for effects with wrong values or
+  /// elements and for hooks that are not possible at their placement.
   EffectSchedule(const std::vector<PlacedEffect>& effects, const RobotSpec& robot, double step);
 
   /// A command or sense hook for one element of its placement.
@@ -24,11 +24,11 @@ class EffectSchedule {
     int which = 0;  ///< index into the placement's elements
   };
 
-  /// Asks each effect for the size of its state; `largest_values`: per effect, one a parameter.
+  /// Gets the size of each effect's state; `largest_values`: per effect, one per parameter.
   void size_states(const std::vector<std::vector<double>>& largest_values);
 
   const std::vector<PlacedEffect>& effects() const { return effects_; }
-  /// How a parent process names the effect (foundation/plugins/plugin_call.h).
+  /// Name of the effect for a parent process (foundation/plugin_call.h).
   const char* on_page(std::size_t effect) const { return on_page_[effect]; }
   EffectContext context(std::size_t effect, std::span<const double> values) const;  ///< of a whole step
   std::span<double> state_of(std::size_t effect, std::span<double> states) const;
@@ -37,7 +37,8 @@ class EffectSchedule {
   const std::vector<std::size_t>& amending() const { return amending_; }
   const std::vector<std::size_t>& loading() const { return loading_; }
   const std::vector<std::size_t>& advancing() const { return advancing_; }
-  /// Does any effect see bodies? Those on joints, actuators and sensors do not, nor those that change numbers only.
+  /// Whether any effect needs bodies. Effects on joints, actuators and sensors do not, nor those that only change
+  /// numbers.
   bool looks_at_bodies() const { return looks_at_bodies_; }
   bool acts_in_steps() const { return !loading_.empty() || !advancing_.empty(); }
   const std::vector<Call>& commands(std::size_t actuator) const { return commands_[actuator]; }  ///< by stage

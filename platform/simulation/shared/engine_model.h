@@ -15,10 +15,10 @@ namespace lacuna::simulation {
 
 class EffectRunner;
 
-/// A model structure compiled for an engine: everything that does not depend on parameter values.
+/// A model structure compiled for an engine, without parameter values.
 class EngineModel final : public CompiledModel {
  public:
-  /// Makes a robot of the model's structure that an engine can move.
+  /// Makes a robot of the model's structure in motion.
   using MakeMotion = std::function<std::unique_ptr<RobotMotion>(const EngineModel&)>;
 
   /// Throws `Error` as `lacuna::compile` does.
@@ -45,8 +45,7 @@ class EngineModel final : public CompiledModel {
   std::size_t state_size() const { return layout_.back().offset + layout_.back().size; }  ///< without the controller's
 
  private:
-  /// Finds the longest delays and the effects' state sizes that parameters within their bounds
-  /// can ask for.
+  /// Finds the longest delays and the effects' state sizes for parameters within their bounds.
   void size_memory();
   void lengthen_delays(ModelInstance& instance, EffectRunner& runner);
   void lay_out_state();

@@ -14,15 +14,14 @@
 
 namespace lacuna::simulation {
 
-/// The parts of a simulation that stay from one to the next, so that a step never allocates.
+/// The parts of a simulation that are reused by the next, so that a step never allocates.
 class EngineWorkspace : public Workspace {
  public:
   explicit EngineWorkspace(const EngineModel& model);
 
   const EngineModel& model() const { return model_; }
 
-  /// Takes the values over, amends the robot and builds it. Throws `Error` for numbers that no
-  /// robot can have.
+  /// Sets the values, amends the robot and builds it. Throws `Error` for values that are impossible for a robot.
   void build(std::span<const double> parameters, const ParameterSlots::Slots& slots);
   /// After a failure inside the engine: the next `build` makes a new motion.
   void drop_motion() { motion.reset(); }
@@ -41,8 +40,8 @@ class EngineWorkspace : public Workspace {
   SensorBank sensors;
   Drive drive;
   std::unique_ptr<RobotMotion> motion;
-  StartState restart;                                          // without what goes on as it is
-  std::vector<double> commands, last_commands, command_rates;  // per actuator, as its law gets it
+  StartState restart;                                          // without the coordinates that continue
+  std::vector<double> commands, last_commands, command_rates;  // per actuator, as passed to its law
   std::vector<double> readings_before, output_row;             // per channel
 
  private:

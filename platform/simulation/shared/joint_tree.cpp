@@ -40,7 +40,7 @@ std::vector<int> find_holders(const RobotSpec& robot, const JointTree& tree, Pro
   return holder;
 }
 
-/// Orders the joints from the roots outward; what a cycle holds is never reached.
+/// Orders the joints from the roots outward; joints of a cycle are never reached.
 void order_outward(const RobotSpec& robot, const std::vector<int>& holder, JointTree& tree, ProblemList& problems) {
   const std::size_t count = robot.joints.size();
   std::vector<bool> placed(count, false);

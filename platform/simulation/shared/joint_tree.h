@@ -12,8 +12,8 @@ namespace lacuna::simulation {
 /// Stands for the world where a body's index is expected.
 inline constexpr int kWorldIndex = -1;
 
-/// Who holds whom in a robot, and how its joint coordinates are counted. Indices are those of
-/// the spec's lists.
+/// Parents and children of a robot's bodies, and the numbering of its joint coordinates. Indices are those of the
+/// spec's lists.
 struct JointTree {
   std::vector<int> parent;            ///< per joint: body, or `kWorldIndex`
   std::vector<int> child;             ///< per joint: body
@@ -31,7 +31,7 @@ JointTree make_joint_tree(const RobotSpec& robot);
 /// Name and unit of each coordinate, in order.
 std::vector<Coordinate> name_coordinates(const RobotSpec& robot);
 
-/// The first joint coordinate of each element, as a `StepView` shows them.
+/// The first joint coordinate of each element, as in a `StepView`.
 struct ElementCoordinates {
   std::vector<int> joints;
   std::vector<int> actuators;
@@ -40,7 +40,7 @@ struct ElementCoordinates {
 
 ElementCoordinates element_coordinates(const RobotSpec& robot, const JointTree& tree);
 
-/// Index of the element called `name`, or −1.
+/// Index of the element named `name`, or −1.
 template <class Spec>
 int index_of(const std::vector<Spec>& specs, const std::string& name) {
   for (std::size_t i = 0; i < specs.size(); ++i)

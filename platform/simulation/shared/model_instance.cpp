@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBoundTolerance = 1e-9;  // relative: a fit's finite differences may end on a bound
 
-/// An address that a parameter may have, and what is written there.
+/// An address that a parameter may have, and its destination.
 struct Place {
   std::string address;
   double lower, upper;
@@ -73,8 +73,7 @@ class SlotFinder {
     index_ = NameIndex(places_, [](const Place& place) { return std::string_view(place.address); });
   }
 
-  /// Of one setup, none being that of tests without: what it sets, what belongs to it alone, and of the parameters of
-  /// all what remains.
+  /// For one setup, or for tests without one: its set values, its own parameters, and the remaining common parameters.
   ParameterSlots::Slots of(const Setup& setup) {
     ParameterSlots::Slots slots;
     std::set<std::string> seen;
@@ -117,7 +116,7 @@ class SlotFinder {
     slots.back().constant = value.value;
   }
 
-  /// Those that belong to `setup`; an address in `elsewhere` has its slot already.
+  /// Parameters that belong to `setup`; an address in `elsewhere` already has its slot.
   void add_parameters(const std::string& setup, std::set<std::string>& seen, ParameterSlots::Slots& slots,
                       const std::set<std::string>& elsewhere = {}) {
     for (std::size_t i = 0; i < structure_.parameters.size(); ++i) {
@@ -145,7 +144,7 @@ class SlotFinder {
 ParameterSlots::ParameterSlots(const ModelStructure& structure)
     : by_setup_(1 + structure.setups.size()), parameters_(structure.parameters) {
   for (const Setup& setup : structure.setups) setups_.push_back(setup.name);
-  // A robot of its own a simulation has hundreds of addresses that nobody asks for.
+  // For a robot of a single simulation: it has hundreds of addresses that are not needed.
   if (parameters_.empty() && setups_.empty()) return;
   SlotFinder finder(structure);
   finder.check_setups();

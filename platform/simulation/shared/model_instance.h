@@ -8,11 +8,12 @@
 
 namespace lacuna::simulation {
 
-/// Where the values given to a simulation go, resolved once: no string is looked at afterwards but a setup's name.
+/// Destinations of the values given to a simulation, resolved once: afterwards the only string in use is a setup's
+/// name.
 class ParameterSlots {
  public:
-  /// Throws `BadInput` for addresses that match nothing, repeated addresses, setups that are not there, values out of
-  /// bounds, and bounds that are the wrong way round or beyond what the address allows.
+  /// Throws `BadInput` for addresses without a match, repeated addresses, unknown setups, values out of bounds, and
+  /// bounds in the wrong order or beyond those of the address.
   explicit ParameterSlots(const ModelStructure& structure);
 
   struct Slot {
@@ -21,14 +22,14 @@ class ParameterSlots {
     int robot_value = -1;   ///< index into `addressed_values`, or −1 for an effect's
     int effect = -1;        ///< index into the structure's effects
     std::size_t value = 0;  ///< index into that effect's values
-    int scaled_body = -1;   ///< a mass that takes the body's inertia with it
+    int scaled_body = -1;   ///< a mass that scales the body's inertia
   };
-  /// Masses first, so that a moment of inertia that is given too has the last word. An address has one slot.
+  /// Masses first, so that a moment of inertia that is also given counts after it. An address has one slot.
   using Slots = std::vector<Slot>;
 
-  /// Of tests without a setup, then of the structure's setups in their order.
+  /// For tests without a setup, then for the structure's setups in their order.
   const std::vector<Slots>& by_setup() const { return by_setup_; }
-  /// The slots of tests of that setup; empty: of none. Throws `Error` where the model has no such setup.
+  /// The slots of tests of that setup; empty: without a setup. Throws `Error` where the model has no such setup.
   const Slots& of(const std::string& setup) const;
   const std::vector<VariableParameter>& parameters() const { return parameters_; }
 
@@ -38,16 +39,16 @@ class ParameterSlots {
   std::vector<VariableParameter> parameters_;
 };
 
-/// The numbers of one simulation: the robot with the given parameters and the effects' values.
-/// Belongs to a workspace; the structure and slots must outlive it.
+/// The numbers of one simulation: the robot with the given parameters, and the effects' values. Belongs to a workspace;
+/// the structure and slots must outlive it.
 class ModelInstance {
  public:
   ModelInstance(const ModelStructure& structure, const ParameterSlots& slots);
   ModelInstance(const ModelInstance&) = delete;
   ModelInstance& operator=(const ModelInstance&) = delete;
 
-  /// Starts again from the structure's numbers with these parameters, not yet amended; `slots` are those of a setup.
-  /// Throws `Error` for a value that is not finite or out of its bounds.
+  /// Restarts from the structure's numbers with these parameters, not yet amended; `slots` are those of a setup. Throws
+  /// `Error` for a value that is not finite or out of its bounds.
   void set(std::span<const double> parameters, const ParameterSlots::Slots& slots);
 
   RobotSpec& robot() { return robot_; }

@@ -19,7 +19,7 @@ void check_series(const CommandSeries& commands, const RobotSpec& robot) {
                 std::to_string(channels) + " channels, but its samples are " + std::to_string(series.samples.rows()) +
                 " x " + std::to_string(series.samples.cols()));
   if (channels > 0 && series.times.size() == 0) throw Error("the command series has channels but no samples");
-  // Whoever reads a series checks every stamp; here only what a search could run astray on.
+  // The reader of a series checks every stamp; here only faults that would break a search are checked.
   if (channels > 0 &&
       !(std::abs(series.times[0]) < kInfinity && series.times[0] <= series.times[series.times.size() - 1]))
     throw Error("the command series' times must ascend from a finite start");

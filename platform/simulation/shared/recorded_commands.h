@@ -7,16 +7,16 @@
 
 namespace lacuna::simulation {
 
-/// A command series as the actuators see it: values and means over a span of time, asked with
-/// ascending times per actuator. The cursors only save searching, they never change a result.
+/// A command series for the actuators: values and means over a range of time, queried with ascending times per
+/// actuator. The cursors only speed up the search and never change a result.
 class RecordedCommands {
  public:
-  /// `commands` must outlive the use. An actuator without a channel gets 0. Throws `Error` for a
-  /// channel that no actuator is called like and for an empty series; the times must ascend.
+  /// `commands` must outlive the use. An actuator without a channel gets 0. Throws `Error` for a channel without the
+  /// name of an actuator and for an empty series; the times must ascend.
   void open(const CommandSeries& commands, const RobotSpec& robot);
 
   double at(std::size_t actuator, double time);
-  /// Mean over [from, to], from < to; what makes predictions continuous in a delay.
+  /// Mean over [from, to], from < to; makes predictions continuous in a delay.
   double mean(std::size_t actuator, double from, double to);
 
  private:

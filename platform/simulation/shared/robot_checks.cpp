@@ -167,9 +167,9 @@ void check_link_angles(const RobotSpec& robot, ProblemList& problems) {
 
 void check_values(const RobotSpec& robot, ProblemList& problems) {
   if (values_in_bounds(robot)) return;
-  RobotSpec copy = robot;  // addresses are of values that may be written
+  RobotSpec copy = robot;  // only addresses of values that may be written
   for (const AddressedValue& value : addressed_values(copy)) {
-    if (value.address.starts_with("body.")) continue;  // check_bodies has seen to them
+    if (value.address.starts_with("body.")) continue;  // already checked by check_bodies
     const bool inside = *value.value >= value.lower && *value.value <= value.upper;
     if (inside && (value.may_be_infinite || std::isfinite(*value.value))) continue;
     problems.add({}, value.address + " is " + number_text(*value.value) + " " + value.unit + ", outside of " +

@@ -73,7 +73,7 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
     fail(failure.what());
   } catch (const std::bad_alloc&) {
     ws_.drop_motion();
-    if (!ws_.effects.runs_one()) throw Error(no_memory_sentence());  // which is no fault of the model
+    if (!ws_.effects.runs_one()) throw Error(no_memory_sentence());  // which is not a fault of the model
     fail(ws_.effects.explain());
   } catch (...) {
     fail(ws_.effects.explain());
@@ -160,7 +160,7 @@ void Run::begin_at_coordinates() {
   if (!ws_.drive.closed_loop()) recall_commands();
 }
 
-/// Lags and limits begin with what was commanded before the start.
+/// Lags and limits begin with the command before the start.
 void Run::recall_commands() {
   const StepView& view = ws_.motion->look(origin_, look_at_bodies_);
   for (std::size_t a = 0; a < ws_.commands.size(); ++a)

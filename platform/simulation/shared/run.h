@@ -10,8 +10,8 @@ class Run : private LoadSource {
  public:
   Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationOptions& options, SimulationResult& result);
 
-  /// Throws `Error` for arguments that do not fit; whatever goes wrong inside the simulation
-  /// makes the result invalid.
+  /// Throws `Error` for arguments that do not match the model; a failure inside the simulation makes the result
+  /// invalid.
   void carry_out(std::span<const double> parameters, const Test& test);
 
  private:
@@ -30,15 +30,15 @@ class Run : private LoadSource {
   void advance(const StepView& view, double length) override;
   void take_commands(const StepView& view);
   void take_command(std::size_t actuator, const StepView& view);
-  /// What an actuator gets of a command that was sent: after gain, offset, effects and limits.
+  /// An actuator's input for a command that was sent: after gain, offset, effects and limits.
   double received(std::size_t actuator, double sent, const StepView& view);
   void sense(double now);
   bool readings_wanted(double now) const;
 
-  /// Writes the outputs up to `now`; false: the caller wants no more.
+  /// Writes the outputs up to `now`; false: the caller needs no more.
   bool write_outputs(double before, double now);
   void write_commands(double until);
-  /// Adds noise and quantisation to the output row where they are asked for.
+  /// Adds noise and quantisation to the output row where they are requested.
   void impair(double now);
   void finish();
   void fail(const std::string& what);

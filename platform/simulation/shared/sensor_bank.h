@@ -19,22 +19,21 @@ inline bool reads_joint(SensorKind kind) {
          kind == SensorKind::drive_force || kind == SensorKind::link_angle || kind == SensorKind::link_velocity;
 }
 
-/// What sensors read besides the `StepView`.
+/// Input of sensors besides the `StepView`.
 struct SensedForces {
   std::span<const double> joint_forces;             ///< per coordinate, of the last step
   std::span<const Eigen::Vector3d> contact_forces;  ///< per body, world, of the last step
   std::span<const unsigned char> touching;          ///< per body
 };
 
-/// The sensors of one simulation: true value, delay, effects, scale and offset, once an
-/// integration step. Belongs to a workspace; nothing here allocates once it is constructed.
+/// The sensors of one simulation: true value, delay, effects, scale and offset, once per integration step. Belongs to a
+/// workspace; allocates nothing after construction.
 class SensorBank {
  public:
-  /// `longest`: per sensor, the longest delay that a simulation may ask for.
+  /// `longest`: per sensor, the longest delay of any simulation.
   SensorBank(const RobotSpec& robot, std::span<const Delay> longest);
 
-  /// Takes over a simulation's delays, scales and offsets. Throws `Error` for a delay that is
-  /// longer than declared.
+  /// Takes a simulation's delays, scales and offsets. Throws `Error` for a delay that is longer than declared.
   void configure(const RobotSpec& robot, const EngineSettings& settings);
 
   /// The first reading: delay lines are filled with it.
@@ -46,18 +45,18 @@ class SensorBank {
   /// Per sensor, and the number of channels behind the last.
   std::span<const std::size_t> first_channel() const { return first_channel_; }
   bool reads_bodies() const { return reads_bodies_; }
-  /// Must `advance` see every step, or only those whose readings are wanted?
+  /// Whether `advance` must see every step, or only those whose readings are needed.
   bool has_memory() const { return has_memory_; }
 
   void save(StateWriter& writer) const;
   void load(StateReader& reader);
-  /// Of all that `save` writes: readings, what is on its way through delays, what accelerometers remember.
+  /// Of everything that `save` writes: readings, contents of delays, memories of accelerometers.
   std::size_t delays_size() const;
   std::size_t last_motions_size() const { return kLastMotion * last_.size(); }
 
  private:
   static constexpr std::size_t kLastMotion = 4;  ///< numbers
-  /// What an accelerometer remembers: the velocity of its point in the last step, world, m/s.
+  /// An accelerometer's memory: the velocity of its point in the last step, world, m/s.
   struct LastMotion {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     double time = 0.0;  ///< s

@@ -6,7 +6,7 @@
 namespace lacuna::simulation {
 namespace {
 
-constexpr double kTicksPerStep = 1024.0;  // what tells sample times apart
+constexpr double kTicksPerStep = 1024.0;  // resolution of sample times
 
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15ULL;

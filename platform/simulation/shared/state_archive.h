@@ -18,7 +18,7 @@ class StateWriter {
   std::vector<double>& values_;
 };
 
-/// Reads a flat state vector in the order in which it was written; its size was checked before.
+/// Reads a flat state vector in the order in which it was written; its size must have been checked.
 class StateReader {
  public:
   explicit StateReader(std::span<const double> values) : values_(values) {}
