@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// First-order lag of an actuator's command, as of a current loop or a valve.
+/// First-order lag of an actuator's command, such as of a current loop or a valve.
 class ActuatorLag : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// Inertia in a joint's own coordinate, as of a rotor behind a gear.
+/// Inertia in the coordinate of a joint, such as of a rotor behind a gear.
 class Armature : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// A mount that gives way to the reaction of a joint's actuators.
+/// An elastic mount that moves under the reaction of a joint's actuators.
 class BaseCompliance : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -27,8 +27,8 @@ double actuator_force(const StepView& view, std::size_t coordinate) {
   return force;
 }
 
-/// A step of the base under a force of the joint's actuators: its acceleration, from where it is at a share of the
-/// step.
+/// A step of the base under a force of the joint's actuators: its acceleration, with its position taken at a share of
+/// the step.
 struct BaseStep {
   BaseStep(const EffectContext& context, double w, double velocity, double force) {
     const auto p = context.parameters;

@@ -7,8 +7,8 @@
 namespace lacuna {
 
 /// A sensor whose clock runs faster or slower than that of the commands (D. L. Mills, IEEE Trans. Communications 39
-/// (1991) 1482). What the sensor reads at another moment than the present one follows from a parabola through its last
-/// three readings: for shifts in time that are short against the motion.
+/// (1991) 1482). Readings at other times than the present are interpolated by a parabola through the last three
+/// readings, for time shifts that are short compared with the motion.
 class ClockSkew : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kChannels = 4;  // at most, of any sensor
 
-/// What is known of one sensor: its last two readings.
+/// The memory of one sensor: its last two readings.
 struct Memory {
   explicit Memory(std::span<double> state)
       : count(state[0]), time1(state[1]), time2(state[2]), x1(state.subspan(3)), x2(state.subspan(3 + kChannels)) {}
@@ -35,7 +35,7 @@ struct Memory {
   std::span<double> x1, x2;
 };
 
-/// Newton's parabola through (now, x) and the readings of the memory, as many as there are, at now + shift.
+/// Newton's parabola through (now, x) and the stored readings, as many as there are, at now + shift.
 double extrapolated(double x, std::size_t channel, double now, double shift, const Memory& memory) {
   if (memory.count < 1.0) return x;
   const double first = (x - memory.x1[channel]) / (now - memory.time1);

@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// A torque that varies periodically with the position, as of a motor's magnets or an unbalanced wheel.
+/// A torque that varies periodically with the position, such as from a motor's magnets or an unbalanced wheel.
 class Cogging : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

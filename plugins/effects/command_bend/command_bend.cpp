@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// A drive whose force is not in proportion to its command: it grows with the square, or ever less.
+/// A drive whose force is not proportional to its command: it grows with the square, or saturates.
 class CommandBend : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

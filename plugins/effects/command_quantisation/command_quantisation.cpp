@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// A drive that takes its command in whole steps.
+/// A drive that rounds its command to whole steps.
 class CommandQuantisation : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

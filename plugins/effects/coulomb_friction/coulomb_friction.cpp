@@ -4,8 +4,8 @@
 
 namespace lacuna {
 
-/// Dry friction of constant size in a joint: tau = −Fc·sgn v, and whatever holds the joint still
-/// up to Fc (C. A. Coulomb, Théorie des machines simples, 1785).
+/// Dry friction of constant size in a joint: tau = −Fc·sgn v, and at rest any force up to Fc that holds the joint (C.
+/// A. Coulomb, Théorie des machines simples, 1785).
 class CoulombFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// Friction of the velocity at which two joints move a gear or a belt between them.
+/// Friction of the velocity at which two joints move a common gear or belt.
 class CoupledFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -54,8 +54,9 @@ void CoupledFriction::amend(RobotSpec& robot, const EffectContext& context) cons
     throw Error("it acts between two joints; name two, as in where = [\"joint.pitch\", \"joint.roll\"]");
 }
 
-/// A joint's slope cannot say how its force falls with the other's velocity. What is said instead is so large that no
-/// motion of both makes the friction fall faster: then the engine's velocities approach the right ones from one side.
+/// A joint's slope cannot express the decrease of its force with the other joint's velocity. The slope used instead is
+/// so large that no common motion makes the friction decrease faster: then the engine's velocities converge from one
+/// side.
 void CoupledFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                 StepLoads& loads) const {
   const auto p = context.parameters;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// An actuator that does nothing on small commands.
+/// An actuator that ignores small commands.
 class DeadZone : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// Dry friction of different size in the two directions of motion.
+/// Dry friction with different sizes in the two directions of motion.
 class DirectionalFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

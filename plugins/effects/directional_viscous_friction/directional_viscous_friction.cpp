@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// Viscous friction of different size in the two directions of motion.
+/// Viscous friction with different sizes in the two directions of motion.
 class DirectionalViscousFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

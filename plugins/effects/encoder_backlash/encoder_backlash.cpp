@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// Play between a joint and an encoder on the motor's side of its gear.
+/// Play between a joint and an encoder on the motor side of its gear.
 class EncoderBacklash : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -24,7 +24,7 @@ class EncoderBacklash : public PhysicalEffect {
 namespace {
 
 enum Parameter : std::size_t { kGap, kForce, kTime };
-/// State of each sensor: where in the gap the motor is, -1 to 1, and when.
+/// State of each sensor: position of the motor in the gap, -1 to 1, and its time.
 enum Memory : std::size_t { kSide, kSince, kSize };
 
 double actuator_force(const StepView& view, int coordinate) {
@@ -71,7 +71,7 @@ void EncoderBacklash::amend(RobotSpec& robot, const EffectContext& context) cons
   }
 }
 
-/// The forces that a view at the end of a step shows are the step's means.
+/// The forces in a view at the end of a step are the step's means.
 void EncoderBacklash::sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
                             std::span<double> state) const {
   const auto p = context.parameters;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// An encoder disc that is not centred: an error that repeats with the reading.
+/// An eccentric encoder disc: an error that repeats with the reading.
 class EncoderEccentricity : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// Dry friction of a gear in proportion to the actuators' force, of different size where that drives and where it
-/// brakes.
+/// Dry friction of a gear proportional to the actuators' force, with different ratios where that force drives and where
+/// it brakes.
 class GearEfficiency : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -45,7 +45,7 @@ void GearEfficiency::amend(RobotSpec& robot, const EffectContext& context) const
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-/// A force > 0 drives motion in the positive direction, which friction's lower limit brakes.
+/// A force > 0 drives motion in the positive direction, which the lower limit of friction brakes.
 void GearEfficiency::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                StepLoads& loads) const {
   const double drive = context.parameters[kDrive], backdrive = context.parameters[kBackdrive];

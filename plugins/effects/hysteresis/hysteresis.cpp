@@ -22,7 +22,7 @@ namespace {
 
 enum Parameter : std::size_t { kTorque, kDistance, kSharpness };
 
-/// Of z, where v does not change: its equation is then dz/dt = v/distance - decay*z.
+/// Rate of z at constant v: its equation is then dz/dt = v/distance - decay*z.
 double decay(std::span<const double> p, double v, double z) {
   const double along = z > 0.0 ? v : z < 0.0 ? -v : 0.0;
   return (p[kSharpness] * std::abs(v) - (p[kSharpness] - 1.0) * along) / p[kDistance];

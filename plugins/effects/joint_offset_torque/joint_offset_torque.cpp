@@ -4,8 +4,8 @@
 
 namespace lacuna {
 
-/// A torque that always pulls a joint the same way: tau = tau0, as of a cable, a spring far from its
-/// rest, an amplifier's offset. Positive torque turns the joint in its positive direction.
+/// A constant torque on a joint: tau = tau0, such as from a cable, a spring far from its rest, or an amplifier's
+/// offset. Positive torque turns the joint in its positive direction.
 class JointOffsetTorque : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

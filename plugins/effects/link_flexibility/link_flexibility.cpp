@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// The first bending mode of a link: inertia that hangs on the joint by a spring.
+/// The first bending mode of a link: inertia coupled to the joint by a spring.
 class LinkFlexibility : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -21,8 +21,8 @@ namespace {
 
 enum Parameter : std::size_t { kInertia, kFrequency, kDampingRatio };
 
-/// A step of the mode beside a joint of velocity v: at the share s of the step its deflection is δ + s·h·w, where
-/// w = dx/dt − v there, and pull = ω²·deflection + 2·ζ·ω·w slows dx/dt through the whole step.
+/// A step of the mode beside a joint of velocity v: at the share s of the step its deflection is δ + s·h·w, with w =
+/// dx/dt − v there, and pull = ω²·deflection + 2·ζ·ω·w acts on dx/dt through the whole step.
 struct ModeStep {
   ModeStep(const EffectContext& context, double deflection, double velocity, double v) {
     const auto p = context.parameters;
@@ -35,7 +35,7 @@ struct ModeStep {
     slope = c / divisor;
   }
   double relative = 0.0, pull = 0.0;
-  double slope = 0.0;  ///< by how much less the pull is per velocity of the joint
+  double slope = 0.0;  ///< decrease of the pull per velocity of the joint
 };
 
 }  // namespace

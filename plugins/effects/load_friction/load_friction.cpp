@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// Dry friction proportional to the force that the actuators put through the joint, as in a gear.
+/// Dry friction proportional to the force that the actuators transmit through the joint, as in a gear.
 class LoadFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

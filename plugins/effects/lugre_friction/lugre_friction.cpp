@@ -23,7 +23,7 @@ namespace {
 
 enum Parameter : std::size_t { kCoulomb, kExcess, kVelocity, kBristleStiffness, kBristleDamping, kViscous };
 
-/// The force at which sliding goes on, at a velocity.
+/// The force of steady sliding at a velocity.
 double break_away(std::span<const double> p, double v) {
   const double ratio = v / p[kVelocity];
   return p[kCoulomb] + p[kExcess] * std::exp(-ratio * ratio);

@@ -3,7 +3,7 @@
 
 namespace lacuna {
 
-/// A rig that does not stand level: gravity is tilted in its frame.
+/// A rig that is not level: gravity is tilted in its frame.
 class MountTilt : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// Dry friction that varies periodically with the position, as of a bent shaft or an eccentric gear.
+/// Dry friction that varies periodically with the position, such as from a bent shaft or an eccentric gear.
 class PositionFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

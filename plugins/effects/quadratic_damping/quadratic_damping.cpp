@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// A torque against a joint's motion that grows with the square of its speed.
+/// A torque against a joint's motion, proportional to the square of its speed.
 class QuadraticDamping : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// A sensor that reads in steps.
+/// A sensor that rounds its readings to whole steps.
 class Quantisation : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -3,7 +3,7 @@
 
 namespace lacuna {
 
-/// A sensor whose readings move away evenly in time.
+/// A sensor reading that drifts at a constant rate.
 class SensorDrift : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// First-order lag of a sensor's readings, as of a filter.
+/// First-order lag of a sensor's readings, such as of a filter.
 class SensorLag : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

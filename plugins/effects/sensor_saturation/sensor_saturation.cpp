@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// A sensor that cannot read beyond its range.
+/// A sensor with a limited range.
 class SensorSaturation : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// A limit to how quickly an actuator's command is followed.
+/// A limit on how fast an actuator follows its command.
 class SlewRateLimit : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -41,7 +41,7 @@ double SlewRateLimit::command(double value, int which, const StepView&, const Ef
   const double way = value - before, reach = context.parameters[0] * context.step;
   out = before + std::clamp(way, -reach, reach);
   if (std::abs(way) >= reach) return 0.5 * (before + out);
-  return value - 0.5 * way * std::abs(way) / reach;  // on the way for a part of the step
+  return value - 0.5 * way * std::abs(way) / reach;  // still approaching the command for a part of the step
 }
 
 }  // namespace lacuna

@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// Dry friction that is larger at rest and falls to the Coulomb level as the joint begins to move.
+/// Dry friction that is larger at rest and falls to the Coulomb level when the joint begins to move.
 class StribeckFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// An actuator that gets weaker as it gets warm.
+/// An actuator that weakens as it warms up.
 class ThermalFade : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
@@ -22,7 +22,7 @@ class ThermalFade : public PhysicalEffect {
 namespace {
 
 enum Parameter : std::size_t { kFade, kTime };
-/// State of each actuator: its heat at a time, and the command from then on.
+/// State of each actuator: its heat at a time, and the command since then.
 enum Memory : std::size_t { kHeat, kSince, kCommand, kSize };
 
 }  // namespace

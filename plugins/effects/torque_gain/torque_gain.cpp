@@ -3,7 +3,7 @@
 
 namespace lacuna {
 
-/// An actuator whose force is larger or smaller than its command says.
+/// An actuator whose force is too large or too small by a factor.
 class TorqueGain : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

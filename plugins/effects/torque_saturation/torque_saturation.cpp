@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// A limit to the force that an actuator exerts.
+/// A limit on the force of an actuator.
 class TorqueSaturation : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

@@ -21,7 +21,7 @@ class TorqueSpeedLine : public PhysicalEffect {
 namespace {
 
 enum Parameter : std::size_t { kStall, kNoLoad };
-/// State of each actuator: what its joint's velocity was last, and when.
+/// State of each actuator: the last velocity of its joint, and its time.
 enum Memory : std::size_t { kVelocity, kTime, kSize };
 
 double velocity_of(const StepView& view, const EffectContext& context, std::size_t which) {
@@ -59,7 +59,7 @@ void TorqueSpeedLine::start(const StepView& view, const EffectContext& context, 
   }
 }
 
-/// For the velocity in the middle of the step, to which the last one leads.
+/// For the velocity in the middle of the step, extrapolated from the last one.
 double TorqueSpeedLine::command(double value, int which, const StepView& view, const EffectContext& context,
                                 std::span<double> state) const {
   const std::span<double> own = state.subspan(kSize * static_cast<std::size_t>(which), kSize);

@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// Friction proportional to a joint's velocity: tau = −b·v, as of a lubricated bearing or a motor's back-EMF.
+/// Friction proportional to a joint's velocity: tau = −b·v, such as from a lubricated bearing or a motor's back-EMF.
 class ViscousFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

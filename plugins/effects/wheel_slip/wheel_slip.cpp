@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// Contacts that creep in proportion to the tangential force, as tyres do.
+/// Contacts that creep in proportion to the tangential force, like tyres.
 class WheelSlip : public PhysicalEffect {
  public:
   EffectDescription describe() const override;

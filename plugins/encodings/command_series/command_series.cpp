@@ -25,8 +25,8 @@ class CommandSeriesEncoding : public TestEncoding {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` where there is no actuator, one has no finite range, or the band of frequencies is empty or too
-  /// fast for the interval between commands.
+  /// Throws `Error` where there is no actuator, one has no finite range, or the frequency band is empty or too fast for
+  /// the interval between commands.
   GenomeLayout layout(const TestSpace& space, std::span<const double> parameters) const override;
   /// Frequencies are drawn on a logarithmic scale, and every second centre is the resting command.
   Genome random(const GenomeLayout& layout, RandomStream& random) const override;
@@ -43,7 +43,7 @@ constexpr double kLastShape = 3.0;
 constexpr double kLastSeed = 999.0;
 constexpr double kLeastCommands = 4.0;  // a period of the fastest command
 
-/// The command that tests lie about: 0, or the middle of a range of which less than a quarter is on one side of 0.
+/// The resting command: 0, or the middle of a range of which less than a quarter is on one side of 0.
 double rest(double lower, double upper) {
   const double least = 0.25 * (upper - lower);
   return -lower >= least && upper >= least ? 0.0 : 0.5 * (lower + upper);

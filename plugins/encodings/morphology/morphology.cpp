@@ -17,14 +17,14 @@
 
 namespace lacuna {
 
-/// Robots as genomes: one row of six genes a cylinder, which say what it hangs on, at which end, how long it is, where
-/// it points and whether it has a touch sensor (Bongard and Lipson, experiment 2). The README has the equations.
+/// Robots as genomes: one row of six genes per cylinder, which give its parent, the end of the parent, its length, its
+/// direction and whether it has a touch sensor (Bongard and Lipson, experiment 2). The README has the equations.
 class Morphology : public ModelEncoding {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` where the robot is not made of cylinders each of which hangs on a hinge, lengths are the wrong way
-  /// round, or the scale of a touch sensor is free.
+  /// Throws `Error` where the robot does not consist of cylinders each on a hinge, the lengths are in the wrong order,
+  /// or the scale of a touch sensor is free.
   GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const override;
   ModelProposal decode(const ModelSpace& space, std::span<const double> parameters,
                        std::span<const double> genome) const override;
@@ -54,7 +54,7 @@ void check_robot(const RobotSpec& robot) {
                   robot.bodies[i + 1].name + "\"" + needs);
 }
 
-/// A touch sensor that no part asks for reads 0 by its scale, which is the genome's then.
+/// A touch sensor that no part asks for is switched off by its scale, which then belongs to the genome.
 void check_free(const RobotSpec& robot, const std::vector<FreeParameter>& free) {
   for (const SensorSpec& sensor : robot.sensors)
     for (const FreeParameter& parameter : free)
@@ -88,7 +88,7 @@ Vector3d hinge_axis(const Vector3d& direction, bool sagittal_where_vertical) {
   return sagittal_where_vertical ? Vector3d::UnitY() : Vector3d::UnitX();
 }
 
-/// Random numbers that the decisions of a genome key, so that moving a length or an angle changes none of them.
+/// Random numbers keyed by the decisions of a genome, so that changing a length or an angle does not change them.
 RandomStream stream_of(const std::vector<PlacedPart>& parts) {
   std::vector<std::uint64_t> key;
   for (const PlacedPart& part : parts)
@@ -96,7 +96,7 @@ RandomStream stream_of(const std::vector<PlacedPart>& parts) {
   return RandomStream(key);
 }
 
-/// Touch sensors go to the first parts that ask for one; those that nobody asks for go anywhere and are dead.
+/// Touch sensors go to the first parts that ask for one; the remaining ones go to any part and are switched off.
 void place_touch_sensors(RobotSpec& robot, const std::vector<PlacedPart>& parts) {
   RandomStream random = stream_of(parts);
   std::size_t next = 0;
@@ -112,7 +112,7 @@ void place_touch_sensors(RobotSpec& robot, const std::vector<PlacedPart>& parts)
   }
 }
 
-/// Raises the robot until nothing of it is lower than a first part that lies: on the ground, or as deep in it as that.
+/// Raises the robot until no part is lower than a lying first part: on the ground, or as deep in it.
 void lift(RobotSpec& robot) {
   const BodySpec& root = robot.bodies[0];
   const double floor = std::min(0.0, root.position.z() - root.shapes[0].size.x());

@@ -18,7 +18,7 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& parent, double roll, double 
       .normalized();
 }
 
-/// A part as its row says it, where those before it lie.
+/// A part from its row, given the parts before it.
 PlacedPart placed(std::size_t i, std::span<const double> genes, const std::vector<PlacedPart>& parts,
                   double root_height) {
   PlacedPart part;
@@ -37,8 +37,8 @@ PlacedPart placed(std::size_t i, std::span<const double> genes, const std::vecto
   return part;
 }
 
-/// What the row of a part that hangs where it does would have to be for its centre to be there. Of a centre in the half
-/// of all directions that genes do not have, the foot on the plane between the halves is the nearest they can say.
+/// The row of a part with the same parent that puts its centre at this place. For a centre in the half of all
+/// directions that genes cannot express, the nearest point on the boundary plane is used.
 void aim(const PlacedPart& part, const PlacedPart& parent, const Vector3d& centre, const Gene& length,
          std::span<double> genes) {
   Vector3d way = parent.orientation.conjugate() * (centre - part.tail);  // in the parent's frame
@@ -59,7 +59,8 @@ std::vector<PlacedPart> place_parts(std::span<const double> genome, double root_
 }
 
 std::string topology_of(const std::vector<PlacedPart>& parts) {
-  std::vector<std::size_t> tails(parts.size(), 0);  // where each part's tail is: 0 the first one's, k + 1 the k-th head
+  std::vector<std::size_t> tails(parts.size(),
+                                 0);  // position of each part's tail: 0 the first one's, k + 1 the k-th head
   std::string text;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     tails[i] = parts[i].at_head ? parts[i].parent + 1 : tails[parts[i].parent];

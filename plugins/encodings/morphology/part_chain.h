@@ -13,13 +13,13 @@ namespace lacuna {
 
 constexpr std::size_t kGenesPerPart = 6;
 
-/// What the genes of one part are, in their order.
+/// The genes of one part, in their order.
 enum PartGene : std::size_t { kParentGene, kEndGene, kLengthGene, kRollGene, kTurnGene, kTouchGene };
 
-/// One part as its genes place it, world frame.
+/// One part as placed by its genes, world frame.
 struct PlacedPart {
-  std::size_t parent = 0;               ///< index of a part before it; of the first part itself
-  bool at_head = false;                 ///< of the parent; its own end there is its tail
+  std::size_t parent = 0;               ///< index of an earlier part; for the first part its own
+  bool at_head = false;                 ///< end of the parent at which its tail is
   double length = 0.0;                  ///< m
   bool touch = false;                   ///< asks for a touch sensor
   Eigen::Vector3d tail{0.0, 0.0, 0.0};  ///< m
@@ -34,17 +34,18 @@ struct PlacedPart {
 /// with its centre at `root_height` above the origin, m.
 std::vector<PlacedPart> place_parts(std::span<const double> genome, double root_height);
 
-/// Which ends meet, as in "0h 0t 2h": for each part but the first the part, counted from 0, on whose head or tail it
-/// hangs. What hangs on the tail of another part hangs where that one does, so equal texts are equal topologies.
+/// Which ends meet, as in "0h 0t 2h": for each part but the first, the part, counted from 0, to whose head or tail it
+/// is attached. A part attached to the tail of another part is at the place of that part's attachment, so equal texts
+/// are equal topologies.
 std::string topology_of(const std::vector<PlacedPart>& parts);
 
-/// Writes the genes of length, roll and turn of every part but the first so that its centre comes as near as the genes'
-/// bounds allow to the one given, where the parts before it lie; parents, ends and the first part's length stay as the
-/// genome has them. `genes` are the layout's, whose lengths have their bounds there.
+/// Sets the genes of length, roll and turn of every part but the first so that its centre is as near to the given one
+/// as the genes' bounds allow, given the parts before it; parents, ends and the first part's length stay. `genes` are
+/// the layout's, with the bounds of lengths.
 void aim_at_centres(std::span<double> genome, std::span<const Gene> genes, std::span<const Eigen::Vector3d> centres,
                     double root_height);
 
-/// The gene of a parent, or of an end, in the middle of those that mean it.
+/// The gene of a parent, or of an end, in the middle of its interval.
 double parent_gene(std::size_t parent, std::size_t part);
 double end_gene(bool at_head);
 

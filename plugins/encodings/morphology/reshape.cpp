@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 enum Parameter : std::size_t { kReattach, kStretch, kRegular, kCoarsest, kFinest };
 
 constexpr std::size_t kAttempts = 20;
-constexpr double kRootHeight = 0.0;  // m; where the robot is counts for nothing here
+constexpr double kRootHeight = 0.0;  // m; the position of the robot does not matter here
 
 void check(const GenomeLayout& layout, std::span<const double> parameters) {
   if (layout.row != kGenesPerPart || layout.size() < 2 * kGenesPerPart)
@@ -32,8 +32,8 @@ double step_size(std::span<const double> parameters, RandomStream& random) {
   return std::pow(10.0, -random.uniform(parameters[kCoarsest], parameters[kFinest]));
 }
 
-/// Half of the moves go along x, y or z: a height that beacons on the ground hardly see is not found by moves that
-/// change the place, which they see well, with it.
+/// Half of the moves go along x, y or z. Beacons on the ground hardly measure a height, so moves that change it
+/// together with the well-measured position rarely succeed.
 Vector3d any_direction(RandomStream& random) {
   if (random.chance(0.5)) {
     const double sign = random.chance(0.5) ? 1.0 : -1.0;
@@ -56,7 +56,7 @@ void hang_elsewhere(std::span<double> genome, std::size_t part, const PlacedPart
   }
 }
 
-/// Takes one coordinate from another part's centre, or its negative.
+/// Copies one coordinate of another part's centre, or its negative.
 void line_up(std::vector<Vector3d>& centres, std::size_t part, RandomStream& random) {
   const std::size_t draw = random.index(centres.size() - 1);
   const std::size_t other = draw + (draw >= part ? 1 : 0);

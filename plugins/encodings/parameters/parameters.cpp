@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// One real gene a free parameter: the value itself, SI, within its search bounds. Decoding clamps to the bounds.
+/// One real gene per free parameter: the value itself, SI, within its search bounds. Decoding clamps to the bounds.
 class Parameters : public ModelEncoding {
  public:
   std::string summary() const override;

@@ -8,13 +8,13 @@
 
 namespace lacuna {
 
-/// Values and switches: one real gene a free parameter, as the encoding `parameters` has it, then one from 0 to 1 an
-/// optional effect, which is on where its gene is above 0.5. Models with other effects on are rival hypotheses.
+/// Values and switches: one real gene per free parameter, as in the encoding `parameters`, then one from 0 to 1 per
+/// optional effect, which is on where its gene is above 0.5. Models with other effects on are alternative hypotheses.
 class ParametersAndEffects : public ModelEncoding {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` where no effect is optional, a parameter has no finite bounds, or `at_most` is no whole number.
+  /// Throws `Error` where no effect is optional, a parameter has no finite bounds, or `at_most` is not a whole number.
   GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const override;
   /// `structure` names the optional effects that are on, in the model's order.
   ModelProposal decode(const ModelSpace& space, std::span<const double> parameters,
@@ -44,13 +44,13 @@ const ParameterDeclaration& at_most() {
   return declared;
 }
 
-/// How many of the optional effects may be on.
+/// Largest number of optional effects that are on.
 std::size_t most_on(std::span<const double> parameters, std::size_t optional) {
   const std::size_t most = count_parameter(at_most(), parameters[0]);
   return most == 0 ? optional : std::min(most, optional);
 }
 
-/// Which switches are on: of those above the middle the `most` largest, the first of equal ones.
+/// Switches that are on: of those above the middle the `most` largest, the first of equal ones.
 std::vector<bool> switched_on(std::span<const double> switches, std::size_t most) {
   std::vector<std::size_t> on;
   for (std::size_t i = 0; i < switches.size(); ++i)

@@ -32,7 +32,7 @@ class NetworkController final : public Controller {
   void act(double, std::span<const double> sensors, std::span<double> state,
            std::span<double> commands) const override {
     const double* weight = weights_.data();
-    std::array<double, kMostHidden> hidden;  // a neuron sees the others as they were
+    std::array<double, kMostHidden> hidden;  // a neuron gets the others' previous activations
     for (std::size_t i = 0; i < hidden_; ++i) {
       double sum = 0.0;
       for (std::size_t s = 0; s < sensors_; ++s) sum += *weight++ * sensors[s];

@@ -9,10 +9,10 @@
 
 namespace lacuna {
 
-/// The seed's controllers (Bongard and Lipson, experiment 1): sensors, one layer of hidden neurons that also see each
-/// other's last activation, and actuators; a bias to hidden and output neurons. The genes are the weights, neuron after
-/// neuron: S + H + 1 for each hidden one, H + 1 for each actuator; 68 for 8, 3 and 8. The README has the equations.
-/// Commands lie within the space's bounds. A controller's state is the hidden activations, 0 at the start.
+/// The seed's controllers (Bongard and Lipson, experiment 1): sensors, one layer of hidden neurons that also receive
+/// each other's last activation, and actuators; a bias for hidden and output neurons. The genes are the weights, neuron
+/// after neuron: S + H + 1 for each hidden one, H + 1 for each actuator; 68 for 8, 3 and 8. The README has the
+/// equations. Commands lie within the space's bounds. A controller's state is the hidden activations, 0 at the start.
 class RecurrentNetwork : public TestEncoding {
  public:
   std::string summary() const override;
@@ -30,7 +30,7 @@ enum Parameter : std::size_t { kHidden, kWeightLimit };
 constexpr const char* kBias = "bias";
 std::string hidden_name(std::size_t index) { return "hidden" + std::to_string(index + 1); }
 
-/// Channels whose genes could not be told from a neuron's.
+/// Channels whose genes would have the name of a neuron's.
 void check_names(const std::vector<Channel>& channels, std::size_t hidden) {
   for (const Channel& channel : channels) {
     bool taken = channel.name == kBias;

@@ -7,9 +7,9 @@
 
 namespace lacuna {
 
-/// The seed's subjective error (Bongard and Lipson, Eq. 1): the mean of |predicted − measured| over all
-/// samples and channels, each channel in its own unit. A measured NaN is left out of sum and count; a
-/// predicted value that is not finite makes the score infinite, and so does a comparison of nothing.
+/// The seed's subjective error (Bongard and Lipson, Eq. 1): the mean of |predicted − measured| over all samples and
+/// channels, each channel in its own unit. A measured NaN is left out of sum and count; a predicted value that is not
+/// finite makes the score infinite, and so does a comparison without measurements.
 class MeanAbsoluteDifference : public FitnessMetric {
  public:
   std::string summary() const override;
@@ -33,7 +33,7 @@ class Accumulator : public ScoreAccumulator {
     for (std::size_t i = 0; i < channels_; ++i) add_value(predicted[i], measured[i]);
   }
 
-  /// What is still to come may agree exactly, and be compared in full.
+  /// Later samples may agree exactly, and all may count.
   double bound() const override { return values_ > skipped_ ? sum_ / static_cast<double>(values_ - skipped_) : sum_; }
 
   double score() const override { return compared_ > 0 ? sum_ / static_cast<double>(compared_) : kWorst; }

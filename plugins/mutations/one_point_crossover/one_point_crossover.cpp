@@ -5,7 +5,7 @@
 
 namespace lacuna {
 
-/// The first genes of one parent and the rest of another, cut at a random place that is never inside a row.
+/// The first genes of one parent and the rest of another, with a random cut that is never inside a row.
 class OnePointCrossover : public MutationOperator {
  public:
   std::string summary() const override;

@@ -13,7 +13,7 @@ class ResetOrNudge : public MutationOperator {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` where the decades are the wrong way round, or `clip` is neither 0 nor 1.
+  /// Throws `Error` where the decades are in the wrong order, or `clip` is neither 0 nor 1.
   Genome vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
               RandomStream& random) const override;
 };
@@ -22,7 +22,7 @@ namespace {
 
 enum Parameter : std::size_t { kReset, kCoarsest, kFinest, kClip };
 
-/// `value` thrown back at the bound that it is beyond; no farther beyond it than the range is wide.
+/// `value` reflected at the bound that it exceeds, by at most the width of the range.
 double reflected(const Gene& gene, double value) {
   if (value > gene.upper) return 2.0 * gene.upper - value;
   return value < gene.lower ? 2.0 * gene.lower - value : value;

@@ -9,15 +9,15 @@
 
 namespace lacuna {
 
-/// How far a model's free parameters are from the hidden ones: |value − truth| for each by its address, and the mean
-/// for each group of at least two elements' parameters, by the address with `*` for the element. Where effects are
-/// optional also `effects`, how many of these are on and not in the target, or off and in it.
+/// Errors of a model's free parameters against the hidden ones: |value − truth| for each by its address, and the mean
+/// for each group of parameters of at least two elements, by the address with `*` for the element. With optional
+/// effects also `effects`: how many of these are on and not in the target, or off and in it.
 class ParameterError : public ObjectiveMetric {
  public:
   std::string summary() const override;
-  /// Parameters whose truth is NaN are left out, and so are those of effects that the model does without, groups whose
-  /// members have different units, and in the count optional effects without a free parameter, of which the truth
-  /// does not tell. Throws `Error` where model or truth do not fit the space.
+  /// Left out are parameters whose truth is NaN, parameters of effects that the model does not have, groups whose
+  /// members have different units, and, in the count, optional effects without a free parameter, which the truth does
+  /// not cover. Throws `Error` where model or truth do not match the space.
   std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model, const HiddenTruth& truth,
                                     std::span<const double> parameters) const override;
 };
@@ -58,7 +58,7 @@ Presence in_target(const ModelEffect& effect, std::span<const double> truth) {
   return any ? Presence::present : Presence::absent;
 }
 
-/// How many optional effects are on that the target lacks, or off that it has; nothing where none can be compared.
+/// Number of optional effects that are on but not in the target, or off but in it; nothing where none can be compared.
 std::optional<ObjectiveScore> wrong_effects(const ModelSpace& space, const ModelProposal& model,
                                             std::span<const double> truth) {
   ObjectiveScore wrong{"effects", "1", 0.0};

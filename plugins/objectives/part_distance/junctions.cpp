@@ -19,7 +19,7 @@ std::optional<std::size_t> index_of(const RobotSpec& robot, const std::string& n
   return static_cast<std::size_t>(found - robot.bodies.begin());
 }
 
-/// The end of the body that lies at a place in the world: 0 its tail, 1 its head; none: neither.
+/// The end of the body at a place in the world: 0 its tail, 1 its head; none: neither.
 std::optional<std::size_t> end_at(const BodySpec& body, const Vector3d& place) {
   if (body.shapes.empty()) return std::nullopt;
   const CylinderEnds ends = cylinder_ends(body, body.shapes.front());
@@ -28,7 +28,7 @@ std::optional<std::size_t> end_at(const BodySpec& body, const Vector3d& place) {
   return std::nullopt;
 }
 
-/// Sets of numbers that are the same.
+/// Sets of equal numbers.
 class Sets {
  public:
   explicit Sets(std::size_t count) {
@@ -57,7 +57,7 @@ class Sets {
 
 std::vector<std::size_t> junctions(const RobotSpec& robot) {
   const std::size_t ends = 2 * robot.bodies.size();
-  Sets sets(ends + robot.bodies.size());  // the last: places on bodies that are no ends
+  Sets sets(ends + robot.bodies.size());  // the last: places on bodies that are not ends
   for (const JointSpec& joint : robot.joints) {
     const auto parent = index_of(robot, joint.parent), child = index_of(robot, joint.child);
     if (!child) continue;

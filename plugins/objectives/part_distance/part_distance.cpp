@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// How far the parts of a model lie from those of the target (the origins of their frames, which sensors of place
-/// read), in the pose in which both start (Eq. 3 of the seed), and whether they hang together in the same way.
+/// Distances of a model's parts from those of the target (the origins of their frames, which position sensors read), in
+/// their start pose (Eq. 3 of the seed), and whether they are connected in the same way.
 class PartDistance : public ObjectiveMetric {
  public:
   std::string summary() const override;

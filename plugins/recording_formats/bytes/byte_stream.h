@@ -12,19 +12,19 @@
 
 namespace lacuna::recording_bytes {
 
-/// What makes a file unusable: where, what, and what to do.
+/// Why a file is unusable: where, what, and what to do.
 class BadFile : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A file that is read from any place. Throws `BadFile` where it cannot be.
+/// A file with random access. Throws `BadFile` where that is impossible.
 class RandomFile {
  public:
   explicit RandomFile(const std::string& path);
 
   std::uint64_t size() const { return size_; }
-  /// As many bytes as there are at that place, at most `count`.
+  /// The bytes at that position, at most `count`.
   std::size_t read_at(std::uint64_t place, unsigned char* into, std::size_t count);
 
  private:
@@ -35,14 +35,14 @@ class RandomFile {
   std::uint64_t size_ = 0, place_ = 0;
 };
 
-/// How bytes of a file are packed.
+/// Compression of a file's bytes.
 enum class Packing {
   none,
-  deflate,  ///< as members of a ZIP archive are (RFC 1951)
-  zlib      ///< the same with a head and a checksum (RFC 1950)
+  deflate,  ///< like members of a ZIP archive (RFC 1951)
+  zlib      ///< the same with a header and a checksum (RFC 1950)
 };
 
-/// Bytes one after another: a part of a file as it is, or what it is when inflated.
+/// A sequence of bytes: a part of a file, or its decompressed content.
 class ByteStream {
  public:
   /// The file outlives the stream.
@@ -51,9 +51,9 @@ class ByteStream {
   ByteStream(const ByteStream&) = delete;
   ByteStream& operator=(const ByteStream&) = delete;
 
-  /// As many bytes as there are, at most `count`. Throws `BadFile` for packed data that are damaged.
+  /// The next bytes, at most `count`. Throws `BadFile` for damaged compressed data.
   std::size_t read(unsigned char* into, std::size_t count);
-  /// CRC-32 of all that was read.
+  /// CRC-32 of all bytes read.
   std::uint32_t checksum() const { return checksum_; }
 
  private:

@@ -12,10 +12,10 @@ namespace lacuna::json_lines {
 namespace {
 
 constexpr int kLinesForColumns = 10000;
-constexpr std::size_t kMostProblems = 100;  ///< after which a file is not JSON Lines
+constexpr std::size_t kMostProblems = 100;  ///< invalid lines, after which a file is not JSON Lines
 constexpr std::size_t kMostNamed = 8;
 
-/// Gives one tree a line.
+/// Passes on one tree per line.
 class Rows {
  public:
   explicit Rows(const std::string& path) : file_(path) {}
@@ -59,7 +59,7 @@ class Rows {
   std::vector<RecordingSentence> problems_, doubts_;
 };
 
-/// Names what has no place in a table, a few of it.
+/// Names some of the values that a table cannot hold.
 class Oddities {
  public:
   void add(std::string_view path) {

@@ -4,10 +4,10 @@
 
 namespace lacuna::json_lines {
 
-/// What the first lines of a file have.
+/// The contents of the first lines of a file.
 RecordingContents contents_of(const std::string& path);
 
-/// The wanted columns of all lines.
+/// The requested columns of all lines.
 ReadRows rows_of(const std::string& path, const std::vector<TableQuery>& queries);
 
 }  // namespace lacuna::json_lines

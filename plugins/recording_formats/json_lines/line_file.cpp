@@ -14,7 +14,7 @@ LineFile::LineFile(const std::string& path) : file_(std::fopen(path.c_str(), "rb
   if (!file_) fault_ = std::string("cannot be opened: ") + std::strerror(errno);
 }
 
-/// Reads on; false where there is no more, or a line is too long.
+/// Continues reading; false at the end, or where a line is too long.
 bool LineFile::fill() {
   if (ended_) return false;
   if (start_ > 0) {

@@ -8,7 +8,7 @@
 
 namespace lacuna::json_lines {
 
-/// The lines of a file, one after another. No more than one of them and a piece of the file is in memory.
+/// The lines of a file, one after another. Only one of them and a piece of the file are in memory.
 class LineFile {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{16} << 20;
@@ -18,7 +18,7 @@ class LineFile {
   /// False at the end of the file, or where it cannot be read: then `fault` is not empty. The view is valid until the
   /// next call. Lines end in \n or \r\n.
   bool next(std::string_view& line);
-  int number() const { return number_; }    ///< of the line just read, from 1
+  int number() const { return number_; }    ///< number of the line just read, from 1
   bool at_cut_end() const { return cut_; }  ///< the line just read ended with the file
   const std::string& fault() const { return fault_; }
 
@@ -31,7 +31,7 @@ class LineFile {
 
   std::unique_ptr<std::FILE, Closer> file_;
   std::string buffer_;
-  std::size_t start_ = 0, filled_ = 0;  ///< of what is not yet read in the buffer
+  std::size_t start_ = 0, filled_ = 0;  ///< of the unread part of the buffer
   int number_ = 0;
   bool cut_ = false, ended_ = false;
   std::string fault_;

@@ -110,7 +110,7 @@ void MatReader::skip(std::uint64_t count) {
   }
 }
 
-/// Elements begin at multiples of 8 bytes; what is missing at the very end is no loss.
+/// Elements begin at multiples of 8 bytes; missing padding at the very end does not matter.
 void MatReader::skip_padding(const MatTag& tag) {
   const std::uint64_t padding = (kAlignment - tag.size % kAlignment) % kAlignment;
   skip(std::min(padding, left_));

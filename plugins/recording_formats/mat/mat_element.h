@@ -38,21 +38,21 @@ struct MatTag {
   std::array<unsigned char, 4> small = {};
 };
 
-/// Reads data elements from a stream, within a number of bytes that may not be left: those of the element around.
-/// Throws `BadFile` where a length says otherwise.
+/// Reads data elements from a stream within the length of the enclosing element. Throws `BadFile` where a length
+/// exceeds it.
 class MatReader {
  public:
-  /// `size`: bytes of what is read.
+  /// `size`: number of bytes of the stream.
   MatReader(ByteStream& stream, bool is_big_endian, std::uint64_t size)
       : stream_(stream), is_big_endian_(is_big_endian), left_(size) {}
 
   std::uint64_t left() const { return left_; }
   MatTag read_tag();
-  /// All data of an element of at most `most` bytes; what pads it is passed over.
+  /// All data of an element of at most `most` bytes; skips padding.
   std::vector<unsigned char> read_data(const MatTag& tag, std::size_t most);
   void skip_data(const MatTag& tag);
   void skip_all() { skip(left_); }
-  /// A reader of what is in an element, which must be read or skipped to its end; then `leave`.
+  /// A reader of an element's content, which must be read or skipped to its end; then call `leave`.
   MatReader within(const MatTag& tag) { return {stream_, is_big_endian_, tag.size}; }
   void leave(const MatTag& tag) {
     left_ -= tag.size;
@@ -60,7 +60,7 @@ class MatReader {
   }
   /// Its numbers one after another; `number(index, value)`.
   void read_numbers(const MatTag& tag, const std::function<void(std::uint64_t, LongNumber)>& number);
-  /// Numbers in an element; 0 for a type that has none.
+  /// Number of numbers in an element; 0 for a type without numbers.
   static std::uint64_t count_of(const MatTag& tag);
 
   /// A whole number of an element's data.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMostColumns = 4096;  ///< of one array
 
-/// How an array lies in the table: a sample a row, or a sample a column, as a vector may lie.
+/// Orientation of an array in the table: one sample per row, or one per column, as in a row vector.
 struct Layout {
   bool is_transposed = false;
   std::uint64_t columns = 0;
@@ -37,7 +37,7 @@ std::string column_name(const MatArray& array, const Layout& layout, std::uint64
   return array.path + (layout.is_transposed ? "(" + number + ",:)" : "(:," + number + ")");
 }
 
-/// What an array would have if its longer side were time.
+/// The shape of an array if its longer side is time.
 std::uint64_t length_of(const MatArray& array) { return std::max(array.rows, array.columns); }
 
 bool names_time(const MatArray& array) {
@@ -46,7 +46,7 @@ bool names_time(const MatArray& array) {
   return std::min(array.rows, array.columns) == 1 && std::find(kTimes.begin(), kTimes.end(), last) != kTimes.end();
 }
 
-/// Samples of the array that is the time, else of most arrays, else the most.
+/// Number of samples of the array that is the time, else of most arrays, else the largest.
 std::uint64_t samples_of(const std::vector<MatArray>& arrays) {
   std::map<std::uint64_t, int> counts;
   for (const MatArray& array : arrays) {
@@ -58,7 +58,7 @@ std::uint64_t samples_of(const std::vector<MatArray>& arrays) {
   return most.second;
 }
 
-/// Lists what there is.
+/// Lists the contents.
 class ContentsVisitor : public MatVisitor {
  public:
   bool begin_array(const MatArray& array) override {
@@ -74,7 +74,7 @@ class ContentsVisitor : public MatVisitor {
   std::vector<RecordingSentence> remarks;
 };
 
-/// Puts the numbers of wanted columns where they belong.
+/// Puts the numbers of requested columns into the table.
 class RowsVisitor : public MatVisitor {
  public:
   RowsVisitor(std::uint64_t samples, const std::vector<TableQuery>& queries) : samples_(samples), queries_(queries) {
@@ -94,7 +94,7 @@ class RowsVisitor : public MatVisitor {
     return is_wanted;
   }
 
-  /// Numbers come column by column of the array.
+  /// Numbers arrive column by column of the array.
   void take_number(std::uint64_t index, LongNumber number) override {
     const std::uint64_t row = index % array_.rows, column = index / array_.rows;
     const std::uint64_t sample = layout_.is_transposed ? column : row;

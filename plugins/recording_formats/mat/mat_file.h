@@ -4,7 +4,8 @@
 
 namespace lacuna::mat {
 
-/// What a MAT file has: the arrays, also those in structures, with as many rows as its time has, or as most have.
+/// The contents of a MAT file: the arrays, also those in structures, with as many rows as its time has, or as most
+/// have.
 RecordingContents contents_of(const std::string& path);
 
 ReadRows rows_of(const std::string& path, const std::vector<TableQuery>& queries);

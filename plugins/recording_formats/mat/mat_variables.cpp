@@ -8,7 +8,7 @@
 namespace lacuna::mat {
 namespace {
 
-constexpr std::size_t kHeader = 128;        ///< bytes: text, a number that is not needed, version, byte order
+constexpr std::size_t kHeader = 128;        ///< bytes: text, an unused number, version, byte order
 constexpr std::size_t kLongestName = 4096;  ///< bytes
 constexpr std::size_t kMostDimensions = 64;
 constexpr std::size_t kMostFields = 65536;
@@ -26,7 +26,7 @@ enum class MatClass : std::uint32_t {
   uint64 = 15
 };
 
-/// What stands before an array's content.
+/// The header of an array.
 struct ArrayHead {
   std::uint32_t flags = 0;
   std::vector<std::uint64_t> sizes;
@@ -41,7 +41,7 @@ struct ArrayHead {
   }
 };
 
-/// Why an array is none of numbers; empty: it is one.
+/// Why an array does not consist of numbers; empty: it does.
 std::string why_no_numbers(const ArrayHead& head) {
   switch (head.kind()) {
     case MatClass::cell: return "is a cell array; store the recording in plain arrays";
@@ -107,11 +107,11 @@ class VariableReader {
     if (tag.size > 0) read_matrix(reader, "", 0);
   }
 
-  /// An array with what it has in it. `path`: of a field; empty: its own name counts.
+  /// An array and its content. `path`: of a field; empty: its own name counts.
   void read_matrix(MatReader& reader, const std::string& path, std::size_t depth) {
     const ArrayHead head = read_head(reader);
     const std::string own = path.empty() ? head.name : path;
-    if (own.empty() || own.starts_with("__")) return reader.skip_all();  // what MATLAB keeps for itself
+    if (own.empty() || own.starts_with("__")) return reader.skip_all();  // MATLAB's internal data
     if (head.kind() == MatClass::structure) return read_structure(reader, head, own, depth);
     const std::string reason = why_no_numbers(head);
     if (reason.empty()) return read_array(reader, head, own);
@@ -165,7 +165,7 @@ class VariableReader {
     }
   }
 
-  /// What is in an element may not read beyond it; what it leaves is passed over.
+  /// An element's reader must not read beyond it; the unread rest is skipped.
   void read_field(MatReader& reader, const MatTag& tag, const std::string& path, std::size_t depth) {
     if (tag.size == 0) return;
     MatReader inside = reader.within(tag);

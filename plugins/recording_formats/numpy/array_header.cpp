@@ -15,7 +15,7 @@ constexpr std::size_t kMostDimensions = 32;
 constexpr std::size_t kLargestElement = std::size_t{1} << 24;
 constexpr const char* kAnew = "; write the file again with numpy.save or numpy.savez";
 
-/// A Python literal of dictionaries, lists, tuples, texts, numbers and True or False, as far as headers have them.
+/// A Python literal of dictionaries, lists, tuples, texts, numbers and True or False, as used in headers.
 class HeaderParser {
  public:
   explicit HeaderParser(std::string_view text) : text_(text) {}
@@ -112,7 +112,7 @@ class HeaderParser {
     return {number()};
   }
 
-  /// Reads a type and adds its numbers; its size, bytes.
+  /// Reads a type and adds its numbers; returns its size, bytes.
   std::size_t type(const std::string& path, std::size_t offset, std::size_t depth) {
     if (sees('[')) return structure(path, offset, depth);
     const std::string description = text();
@@ -163,7 +163,7 @@ class HeaderParser {
     return size;
   }
 
-  /// Makes the fields since `first`, those of one element, those of an array of that shape.
+  /// Repeats the fields since `first`, those of one element, for an array of that shape.
   std::size_t repeat(std::size_t first, const std::string& path, std::size_t offset, std::size_t size,
                      const std::vector<std::uint64_t>& sizes) {
     std::uint64_t count = 1;

@@ -19,26 +19,26 @@ struct Field {
   ScalarType type;
 };
 
-/// What an .npy file says of its array (NEP 1, versions 1 to 3).
+/// The header of an .npy file (NEP 1, versions 1 to 3).
 struct ArrayHeader {
   std::vector<Field> fields;
-  std::vector<std::string> left_out;  ///< paths of fields that are no numbers
+  std::vector<std::string> left_out;  ///< paths of fields that are not numbers
   std::size_t element_size = 0;       ///< bytes
   bool is_fortran_order = false;
   std::vector<std::uint64_t> shape;
 
   std::uint64_t rows() const { return shape.empty() ? 0 : shape.front(); }
-  /// Elements of a row; 0 where there are more than can be columns.
+  /// Number of elements per row; 0 where there are more than columns are allowed.
   std::size_t row_elements() const;
 };
 
-/// The most numbers of a row of one array.
+/// The largest number of numbers in a row of one array.
 inline constexpr std::size_t kMostNumbers = 4096;
 
 /// Reads the header and leaves the stream at the first element. Throws `BadFile`.
 ArrayHeader read_header(ByteStream& stream);
 
-/// The same of the header's text, a Python dictionary.
+/// The same for the header's text, a Python dictionary.
 ArrayHeader parse_header(std::string_view text);
 
 }  // namespace lacuna::numpy

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16;
 
-/// "[2][0]" of the element of that place in a row, in C order.
+/// "[2][0]" for the element at that position in a row, in C order.
 std::string indices_of(std::size_t place, const ArrayHeader& header) {
   std::string text;
   for (std::size_t d = header.shape.size(); d-- > 1; place /= header.shape[d])
@@ -22,7 +22,7 @@ std::string column_name(const ArrayHeader& header, const std::string& name, std:
   return text + (text.empty() || field.path.empty() ? "" : ".") + field.path;
 }
 
-/// A field of an element of a row that is wanted, and its column.
+/// A requested field of an element of a row, and its column.
 struct WantedField {
   std::size_t element = 0;
   const Field* field = nullptr;
@@ -63,7 +63,7 @@ void read_in_rows(ByteStream& stream, const ArrayHeader& header, std::uint64_t r
   }
 }
 
-/// Where an element of a row comes in Fortran order: the first index after that of the row changes fastest.
+/// Position of an element of a row in Fortran order: the first index after that of the row changes fastest.
 std::size_t fortran_place(std::size_t element, const ArrayHeader& header) {
   std::size_t place = 0;
   std::vector<std::size_t> index(header.shape.size(), 0);

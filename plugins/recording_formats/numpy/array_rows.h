@@ -14,8 +14,8 @@ namespace lacuna::numpy {
 /// Without a name `[0]`, `[1]` and the fields' paths.
 std::vector<std::string> columns_of(const ArrayHeader& header, const std::string& name);
 
-/// Reads the elements behind a header into those columns that are wanted, by name, at most `most_rows` of them. Throws
-/// `BadFile` where there are fewer than the header says.
+/// Reads the elements after a header into the requested columns, by name, at most `most_rows` rows. Throws `BadFile`
+/// where there are fewer than the header states.
 void read_rows(ByteStream& stream, const ArrayHeader& header, const std::string& name, std::size_t most_rows,
                std::map<std::string, NumberColumn>& wanted);
 

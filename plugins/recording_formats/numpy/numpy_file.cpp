@@ -17,7 +17,7 @@ constexpr std::size_t kLargestRow = std::size_t{1} << 24;  ///< bytes
 
 /// An array of a file, with its header.
 struct Array {
-  std::string name;  ///< in an archive; empty in a file of its own
+  std::string name;  ///< name in an archive; empty for a separate file
   ZipMember member;
   ArrayHeader header;
 };
@@ -35,7 +35,7 @@ bool is_archive(RandomFile& file) {
   return file.read_at(0, start.data(), start.size()) == start.size() && start[0] == 'P' && start[1] == 'K';
 }
 
-/// A whole file is an array that is stored, too.
+/// A whole .npy file is treated like a stored array.
 std::vector<Array> places_of(RandomFile& file) {
   std::vector<Array> arrays;
   if (!is_archive(file)) {
@@ -71,7 +71,7 @@ bool names_time(const std::string& name) {
   return std::find(kTimes.begin(), kTimes.end(), name) != kTimes.end();
 }
 
-/// Rows of the array that is the time, else of most arrays, else the most.
+/// Number of rows of the array that is the time, else of most arrays, else the largest.
 std::uint64_t rows_of_table(const std::vector<Array>& arrays) {
   std::map<std::uint64_t, int> counts;
   for (const Array& array : arrays) {
@@ -83,7 +83,7 @@ std::uint64_t rows_of_table(const std::vector<Array>& arrays) {
   return most.second;
 }
 
-/// The arrays of one table, and what is said of the others.
+/// The arrays of one table, and the remarks about the others.
 struct OpenedArrays {
   std::vector<Array> arrays;
   std::vector<RecordingSentence> remarks;
@@ -121,7 +121,7 @@ OpenedArrays open_arrays(RandomFile& file) {
   return opened;
 }
 
-/// The whole of what is behind a deflated or stored array, so that its checksum shows whether it is as it was written.
+/// Reads a compressed or stored array to its end, so that its checksum can be verified.
 void check_end(ByteStream& stream, const Array& array) {
   std::vector<unsigned char> piece(kEndPiece);
   std::size_t behind = 0;

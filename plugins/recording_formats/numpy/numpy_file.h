@@ -4,7 +4,7 @@
 
 namespace lacuna::numpy {
 
-/// What an .npy or .npz file has: of an archive the arrays with as many rows as its time has, or as most have.
+/// The contents of an .npy or .npz file: of an archive the arrays with as many rows as its time has, or as most have.
 RecordingContents contents_of(const std::string& path);
 
 ReadRows rows_of(const std::string& path, const std::vector<TableQuery>& queries);

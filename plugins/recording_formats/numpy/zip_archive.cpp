@@ -12,7 +12,7 @@ constexpr std::uint32_t kEndSign = 0x06054b50, kEntrySign = 0x02014b50, kLocalSi
 constexpr std::uint32_t kLocatorSign = 0x07064b50, kEnd64Sign = 0x06064b50;
 constexpr std::size_t kLongestComment = 65535;
 constexpr std::uint64_t kLargestDirectory = std::uint64_t{64} << 20;
-constexpr std::uint32_t kIn64 = 0xffffffff;  ///< the number stands in a ZIP64 record
+constexpr std::uint32_t kIn64 = 0xffffffff;  ///< the number is in a ZIP64 record
 constexpr std::uint16_t kEncrypted = 1;
 
 using Bytes = std::span<const unsigned char>;
@@ -38,7 +38,7 @@ struct Directory {
   std::uint64_t place = 0, size = 0;
 };
 
-/// Where the ZIP64 record says that it is, if there is one.
+/// The stated place of the ZIP64 record, if there is one.
 void take_zip64(RandomFile& file, std::uint64_t end_place, Directory& directory) {
   if (end_place < kLocatorSize) return;
   const auto locator = bytes_at(file, end_place - kLocatorSize, kLocatorSize, "its end is incomplete");
@@ -62,7 +62,7 @@ Directory find_directory(RandomFile& file) {
   throw_damaged("it has no directory at its end");
 }
 
-/// Sizes and place that do not fit into 32 bits stand in the extra field 1, in that order.
+/// Sizes and place that do not fit into 32 bits are in the extra field 1, in that order.
 void take_extra(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
   while (extra.size() >= 4) {
     const std::size_t id = number(extra, 0, 2), size = number(extra, 2, 2);
@@ -78,14 +78,14 @@ void take_extra(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
   }
 }
 
-/// The place of a member's data, behind its local header.
+/// The place of a member's data, after its local header.
 std::uint64_t data_place(RandomFile& file, std::uint64_t local) {
   const auto header = bytes_at(file, local, kLocalSize, "a member lies outside the file");
   if (number(header, 0, 4) != kLocalSign) throw_damaged("a member has no header");
   return local + kLocalSize + number(header, 26, 2) + number(header, 28, 2);
 }
 
-/// Takes the entry at the beginning of `rest` off it.
+/// Removes the first entry from `rest`.
 ZipMember take_entry(RandomFile& file, Bytes& rest) {
   if (rest.size() < kEntrySize || number(rest, 0, 4) != kEntrySign) throw_damaged("its directory is damaged");
   const std::size_t name = number(rest, 28, 2), extra = number(rest, 30, 2), comment = number(rest, 32, 2);

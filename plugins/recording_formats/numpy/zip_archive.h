@@ -19,8 +19,8 @@ struct ZipMember {
   std::uint32_t checksum = 0;               ///< CRC-32
 };
 
-/// The members of an archive by its central directory (APPNOTE.TXT 6.3.10, with ZIP64). Throws `BadFile` for what is
-/// no archive, for compression other than deflate, and for encrypted members.
+/// The members of an archive by its central directory (APPNOTE.TXT 6.3.10, with ZIP64). Throws `BadFile` for a file
+/// that is not an archive, for compression other than deflate, and for encrypted members.
 std::vector<ZipMember> members_of(RandomFile& file);
 
 }  // namespace lacuna::numpy

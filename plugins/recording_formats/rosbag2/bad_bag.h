@@ -4,7 +4,7 @@
 
 namespace lacuna::rosbag2 {
 
-/// What makes a bag, a message or a definition unusable: where, what, and what to do.
+/// Why a bag, a message or a definition is unusable: where, what, and what to do.
 class BadBag : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -13,14 +13,14 @@
 
 namespace lacuna::rosbag2 {
 
-/// A topic of a bag with what its messages are.
+/// A topic of a bag and the type of its messages.
 struct BagTopic {
   std::string name;
   std::string type;                            ///< "sensor_msgs/msg/JointState"
   std::string encoding;                        ///< of its messages: "cdr", "json"
-  std::string definition;                      ///< of its type; empty: the bag has none
+  std::string definition;                      ///< of its type; empty: not in the bag
   std::string definition_encoding;             ///< "ros2msg", "ros2idl"
-  std::optional<std::uint64_t> messages = {};  ///< how many there are, where the bag says so
+  std::optional<std::uint64_t> messages = {};  ///< number of messages, if the bag states it
 };
 
 struct BagMessage {
@@ -29,18 +29,18 @@ struct BagMessage {
   Bytes bytes;                ///< valid during the visit
 };
 
-/// A bag of messages in a file. What cannot be read throws `BadBag`.
+/// A bag of messages in a file. Throws `BadBag` for data that cannot be read.
 class Bag {
  public:
   virtual ~Bag() = default;
 
-  /// Those met so far; all of them from the beginning where `knows_topics`.
+  /// Those found so far; all of them from the beginning where `knows_topics`.
   virtual const std::vector<BagTopic>& topics() const = 0;
   virtual bool knows_topics() const = 0;
   /// Visits the messages of the topics that `wants`, by index, in the order of the file until `visit` returns false.
   virtual void visit(const std::function<bool(std::size_t)>& wants,
                      const std::function<bool(const BagMessage&)>& visit) = 0;
-  /// What a whole visit left out.
+  /// The parts that a whole visit left out.
   virtual std::vector<RecordingSentence> doubts() const { return {}; }
 };
 

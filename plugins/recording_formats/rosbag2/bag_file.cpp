@@ -12,7 +12,7 @@
 namespace lacuna::rosbag2 {
 namespace {
 
-constexpr std::size_t kLearnedMessages = 20;  ///< of each topic, which tell its columns
+constexpr std::size_t kLearnedMessages = 20;  ///< messages of each topic, which determine its columns
 constexpr std::size_t kMostProblems = 100;
 constexpr std::size_t kMostNamed = 8;
 
@@ -20,7 +20,7 @@ std::unique_ptr<Bag> open_bag(const std::string& path) {
   return path.ends_with(".db3") ? open_sqlite(path) : open_mcap(path);
 }
 
-/// What ROS itself records of programs, not of robots.
+/// Topics that ROS records about programs, not about robots.
 bool is_of_programs(const std::string& topic) {
   constexpr std::array<std::string_view, 3> kOfPrograms = {"/rosout", "/parameter_events", "/events/write_split"};
   return std::find(kOfPrograms.begin(), kOfPrograms.end(), topic) != kOfPrograms.end();
@@ -31,7 +31,7 @@ std::string problem_with(const BagTopic& topic, std::size_t number, const BadBag
          "; record it again, or leave this topic out";
 }
 
-/// Learns what the topics of a bag have.
+/// Determines the columns of a bag's topics.
 class ContentsReader {
  public:
   RecordingContents read(Bag& bag) {
@@ -67,7 +67,7 @@ class ContentsReader {
     return contents_.problems.size() < kMostProblems && !is_done(bag);
   }
 
-  /// Whether no message that is still to come can tell more.
+  /// Whether later messages cannot add columns.
   bool is_done(const Bag& bag) const {
     if (!bag.knows_topics()) return false;
     for (std::size_t t = 0; t < bag.topics().size(); ++t) {

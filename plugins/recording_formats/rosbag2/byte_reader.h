@@ -9,7 +9,7 @@
 
 namespace lacuna::rosbag2 {
 
-/// Takes little-endian numbers and texts off a record of an MCAP file. Throws `BadBag` beyond its end.
+/// Reads little-endian numbers and texts from a record of an MCAP file. Throws `BadBag` beyond its end.
 class ByteReader {
  public:
   ByteReader(Bytes bytes, const char* record) : rest_(bytes), record_(record) {}
@@ -20,7 +20,7 @@ class ByteReader {
     for (std::size_t i = width; i-- > 0;) value = value << 8 | bytes[i];
     return value;
   }
-  /// A length of 4 bytes and so many bytes.
+  /// A length of 4 bytes, then as many bytes.
   std::string text() {
     const Bytes bytes = take(number(4));
     return {bytes.begin(), bytes.end()};

@@ -10,7 +10,7 @@ namespace lacuna::rosbag2 {
 namespace {
 
 constexpr std::size_t kEncapsulation = 4;  ///< bytes
-constexpr std::size_t kMostPadding = 3;    ///< bytes behind a message
+constexpr std::size_t kMostPadding = 3;    ///< padding bytes after a message
 
 LongNumber number_of(std::uint64_t bits, Primitive primitive) {
   switch (primitive) {
@@ -53,7 +53,7 @@ void CdrReader::read_encapsulation() {
   bytes_ = bytes_.subspan(kEncapsulation);
 }
 
-/// A type without fields has one byte that means nothing.
+/// A type without fields has one unused byte.
 void CdrReader::read_message(std::size_t type, ValueTree* tree) {
   const std::vector<MessageField>& fields = types_->types[type].fields;
   if (fields.empty()) read_bits(1);
@@ -63,7 +63,7 @@ void CdrReader::read_message(std::size_t type, ValueTree* tree) {
 void CdrReader::read_field(const MessageField& field, ValueTree* tree) {
   if (field.times == Times::once) return read_once(field, field.name, tree);
   const std::size_t count = field.times == Times::fixed ? field.count : read_count();
-  need(count);  // each has a byte at least
+  need(count);  // each takes at least one byte
   if (count > NumberPaths::kMostElements) return read_list(field, count, nullptr);
   if (tree) tree->begin(ValueTree::Kind::list, field.name);
   read_list(field, count, tree);
@@ -96,7 +96,7 @@ void CdrReader::read_once(const MessageField& field, std::string_view key, Value
   }
 }
 
-/// A count of bytes with the zero that ends the text.
+/// A count of bytes including the zero that ends the text.
 std::string_view CdrReader::read_text() {
   const std::uint32_t length = read_count();
   need(length);

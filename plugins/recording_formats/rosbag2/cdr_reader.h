@@ -13,11 +13,11 @@ namespace lacuna::rosbag2 {
 
 using Bytes = std::span<const unsigned char>;
 
-/// Reads messages in CDR, of both byte orders, plain (XCDR1) or plain of the second version (XCDR2), as DDS carries
-/// them (OMG DDS-XTypes 1.3, 7.4). Lists of more numbers than can be columns are passed over.
+/// Reads messages in CDR, of both byte orders, plain (XCDR1) or plain of the second version (XCDR2), as used by DDS
+/// (OMG DDS-XTypes 1.3, 7.4). Lists of more numbers than columns are allowed are skipped.
 class CdrReader {
  public:
-  /// Puts a message into the tree. Throws `BadBag` where its bytes are not what its type has: too few, or too many.
+  /// Puts a message into the tree. Throws `BadBag` where the number of its bytes is not that of its type.
   void read(Bytes message, const MessageTypes& types, ValueTree& tree);
 
  private:

@@ -11,7 +11,7 @@ namespace lacuna::rosbag2 {
 namespace {
 
 constexpr std::size_t kLargestArray = std::size_t{1} << 24;
-constexpr std::size_t kShortestRule = 10;  ///< signs of equality between definitions
+constexpr std::size_t kShortestRule = 10;  ///< number of equals signs between definitions
 
 constexpr std::array<std::pair<std::string_view, Primitive>, 14> kPrimitives = {{{"bool", Primitive::boolean},
                                                                                  {"byte", Primitive::uint8},
@@ -35,7 +35,7 @@ std::string_view without_space(std::string_view text) {
   return text.substr(start, text.find_last_not_of(kSpace) - start + 1);
 }
 
-/// Takes the first line off the text.
+/// Removes the first line from the text.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   const std::string_view line = text.substr(0, end);
@@ -69,7 +69,7 @@ DefinitionLine field_of(std::string_view type, std::string_view name, std::strin
     take_times(type.substr(start), line, found.field);
     type = type.substr(0, start);
   }
-  type = type.substr(0, type.find('<'));  // the bound of a text
+  type = type.substr(0, type.find('<'));  // the length limit of a text
   const auto known = std::find_if(kPrimitives.begin(), kPrimitives.end(),
                                   [&](const auto& primitive) { return primitive.first == type; });
   if (known != kPrimitives.end()) {

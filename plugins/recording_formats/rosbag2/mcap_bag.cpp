@@ -16,13 +16,13 @@ constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 constexpr std::uint64_t kRecordHead = 9;                            ///< bytes: opcode and length
 constexpr std::uint64_t kFooter = kRecordHead + 20;                 ///< bytes of the footer's record
 constexpr std::uint64_t kLargestRecord = std::uint64_t{256} << 20;  ///< bytes
-constexpr std::uint64_t kPiece = std::uint64_t{1} << 18;            ///< bytes that are read at once
+constexpr std::uint64_t kPiece = std::uint64_t{1} << 18;            ///< bytes read at once
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Where a record stands, and how long its content is.
+/// The place of a record, and the length of its content.
 struct RecordPlace {
   McapOpcode opcode{};
   std::uint64_t start = 0, size = 0;
@@ -43,7 +43,7 @@ class RecordFile {
 
   std::uint64_t size() const { return size_; }
 
-  /// The record at that place; false where none is whole there.
+  /// The record at that place; false where there is no complete one.
   bool record_at(std::uint64_t place, RecordPlace& record) {
     const Bytes head = read(place, kRecordHead);
     if (head.size() < kRecordHead) return false;
@@ -54,7 +54,7 @@ class RecordFile {
     return record.size <= size_ - record.start;
   }
 
-  /// Valid until the next reading.
+  /// Valid until the next read.
   Bytes content(const RecordPlace& record) {
     if (record.size > kLargestRecord)
       throw BadBag("has a record of more than 256 MiB at byte " + std::to_string(record.start));
@@ -64,7 +64,7 @@ class RecordFile {
   }
 
  private:
-  /// As many bytes as there are, at most `count`. Small pieces that follow each other are read together.
+  /// The available bytes, at most `count`. Consecutive small pieces are read together.
   Bytes read(std::uint64_t place, std::uint64_t count) {
     if (place >= size_) return {};
     count = std::min(count, size_ - place);
@@ -86,11 +86,11 @@ class RecordFile {
   std::unique_ptr<std::FILE, FileCloser> file_;
   std::uint64_t size_ = 0;
   std::vector<unsigned char> buffer_;
-  std::uint64_t held_from_ = 0, held_ = 0;  ///< what part of the file is in the buffer
+  std::uint64_t held_from_ = 0, held_ = 0;  ///< part of the file in the buffer
 };
 
-/// A bag in an MCAP file. Its records are read one after another; the summary at its end only tells how many messages
-/// each topic has, and may be missing.
+/// A bag in an MCAP file. Its records are read one after another; the summary at its end only gives the number of
+/// messages per topic, and may be missing.
 class McapBag : public Bag {
  public:
   explicit McapBag(const std::string& path) : file_(path) { take_summary(); }
@@ -167,7 +167,7 @@ class McapBag : public Bag {
     return true;
   }
 
-  /// Schemas, channels and statistics that stand behind the data. What is damaged there is not needed.
+  /// Schemas, channels and statistics after the data. Damage there does not matter.
   void take_summary() {
     McapTopics found;
     RecordPlace record;

@@ -22,12 +22,12 @@ enum class McapOpcode : std::uint8_t {
   data_end = 0x0f
 };
 
-/// The topics of the channels and schemas that were met.
+/// The topics of the channels and schemas found so far.
 class McapTopics {
  public:
   void take_schema(Bytes record);
   void take_channel(Bytes record);
-  /// Notes how many messages each channel has.
+  /// Records the number of messages per channel.
   void take_statistics(Bytes record);
 
   const std::vector<BagTopic>& topics() const { return topics_; }

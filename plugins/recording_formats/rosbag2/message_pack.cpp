@@ -46,7 +46,7 @@ Bytes MessagePack::unpack(Bytes packed, std::string_view compression) {
   throw BadBag("is compressed with \"" + std::string(compression.substr(0, 40)) + "\"; only zstd and lz4 can be read");
 }
 
-/// Memory goes with what was really unpacked.
+/// Memory is allocated only for data that were really decompressed.
 void MessagePack::grow() {
   if (unpacked_.size() >= kLargest) throw BadBag("contains more than 256 MiB in one piece; write it in smaller chunks");
   unpacked_.resize(std::max(kUnpackedPiece, 2 * unpacked_.size()));

@@ -8,7 +8,7 @@
 
 namespace lacuna::rosbag2 {
 
-/// Unpacks what is compressed with zstd or lz4 (as a frame), into memory that is used again.
+/// Decompresses zstd or lz4 data (as a frame) into memory that is reused.
 class MessagePack {
  public:
   static constexpr std::size_t kLargest = std::size_t{256} << 20;  ///< bytes, unpacked
@@ -18,7 +18,7 @@ class MessagePack {
   MessagePack(const MessagePack&) = delete;
   MessagePack& operator=(const MessagePack&) = delete;
 
-  /// A message that was compressed alone, or as it is. Valid until the next call. Throws `BadBag`.
+  /// A message that was compressed separately, or uncompressed. Valid until the next call. Throws `BadBag`.
   Bytes unpack(Bytes message);
   /// All of a chunk; `compression`: "", "zstd" or "lz4".
   Bytes unpack(Bytes packed, std::string_view compression);

@@ -15,7 +15,7 @@ constexpr std::size_t kDeepest = 24;
 
 std::string package_of(const std::string& name) { return name.substr(0, name.find('/')); }
 
-/// Puts together what a message needs, each type once.
+/// Collects the types of a message, each once.
 class TypeBuilder {
  public:
   TypeBuilder(const std::string& root, std::map<std::string, std::string_view> definitions)
@@ -39,7 +39,7 @@ class TypeBuilder {
       fields.push_back(std::move(field));
     }
     made_.types[index].fields = std::move(fields);
-    indices_.emplace(name, index);  // only now: a type that contains itself runs into the depth
+    indices_.emplace(name, index);  // only now: a type that contains itself exceeds the depth
     return index;
   }
 
@@ -50,7 +50,7 @@ class TypeBuilder {
     throw BadBag("the definition of " + name + " is not in the bag");
   }
 
-  /// A name without a package is of the package of the type in which it stands.
+  /// A name without a package belongs to the package of the enclosing type.
   std::string whole_name(const std::string& type, const std::string& user) const {
     if (type.find('/') != type.npos) return plain_type_name(type);
     if (type == "Header") return "std_msgs/Header";

@@ -20,7 +20,7 @@ struct StatementCloser {
 };
 using Database = std::unique_ptr<sqlite3, DatabaseCloser>;
 
-/// A question to a database, row by row.
+/// A query to a database, row by row.
 class Question {
  public:
   Question(sqlite3* database, const std::string& sql) : database_(database) {
@@ -54,7 +54,7 @@ class Question {
   std::unique_ptr<sqlite3_stmt, StatementCloser> statement_;
 };
 
-/// A path as SQLite takes it in a URI.
+/// A path in a URI for SQLite.
 std::string uri_of(const std::string& path) {
   constexpr const char* kDigits = "0123456789ABCDEF";
   std::string uri = "file:";
@@ -68,7 +68,7 @@ std::string uri_of(const std::string& path) {
       uri += c;
     }
   }
-  return uri + "?mode=ro&immutable=1";  // no log is looked for, and nothing is written beside it
+  return uri + "?mode=ro&immutable=1";  // immutable: no log is read, and nothing is written beside it
 }
 
 Database open_read_only(const std::string& path) {
@@ -114,7 +114,7 @@ class SqliteBag : public Bag {
     }
   }
 
-  /// Bags of ROS 2 Iron and later have the definitions of their types.
+  /// Bags of ROS 2 Iron and later contain the definitions of their types.
   void read_definitions() {
     Question table(database_.get(),
                    "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'message_definitions'");

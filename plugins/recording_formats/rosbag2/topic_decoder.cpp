@@ -33,7 +33,7 @@ void TopicDecoder::decode(Bytes message, ValueTree& tree) {
   if (!fault.empty()) throw BadBag("is not JSON: " + fault);
 }
 
-/// The version of the type whose messages have so many bytes.
+/// The version of the type whose messages have this number of bytes.
 void TopicDecoder::decode_cdr(Bytes message, ValueTree& tree) {
   while (!knows_version_ && versions_.size() > 1) {
     try {

@@ -6,7 +6,7 @@
 
 namespace lacuna::rosbag2 {
 
-/// Turns the messages of a topic into trees.
+/// Converts the messages of a topic into trees.
 class TopicDecoder {
  public:
   explicit TopicDecoder(const BagTopic& topic);
@@ -21,7 +21,7 @@ class TopicDecoder {
 
   std::string refusal_;
   bool is_json_ = false;
-  std::vector<MessageTypes> versions_;  ///< of its type; the first message tells which
+  std::vector<MessageTypes> versions_;  ///< of its type; the first message decides
   bool knows_version_ = false;
   CdrReader cdr_;
   JsonTree json_;

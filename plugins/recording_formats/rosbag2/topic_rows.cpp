@@ -7,7 +7,7 @@
 namespace lacuna::rosbag2 {
 namespace {
 
-constexpr std::string_view kLayout = "layout.data_offset";  ///< of arrays of std_msgs; says nothing of a robot
+constexpr std::string_view kLayout = "layout.data_offset";  ///< of arrays of std_msgs; without information on a robot
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 LongNumber seconds_of(std::int64_t nanoseconds) {
@@ -27,7 +27,7 @@ struct UnitOfPath {
   std::string_view part, unit;
 };
 
-/// What the names in a message say of the unit. Behind them stand x, y, z, or the path ends.
+/// Units by the names in a message. After them come x, y, z, or the path ends.
 std::string_view unit_of(std::string_view path) {
   constexpr std::array<UnitOfPath, 7> kUnits = {{{"angular_velocity.", "rad/s"},
                                                  {"linear_acceleration.", "m/s^2"},

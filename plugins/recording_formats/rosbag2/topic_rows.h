@@ -8,20 +8,20 @@
 
 namespace lacuna::rosbag2 {
 
-/// The columns that every topic has: its time, s, which is that of the stamps in its messages' headers where they have
-/// one, and the time of recording, s since 1970.
+/// The columns of every topic: its time, s, from the stamps in its messages' headers where they have one, and the time
+/// of recording, s since 1970.
 inline constexpr const char* kTime = "t";
 inline constexpr const char* kReceived = "log_time";
-/// Where a stamp stands in a message.
+/// The place of a stamp in a message.
 inline constexpr const char* kStamp = "header.stamp";
 
-/// Learns the columns of a topic from some of its messages.
+/// Determines the columns of a topic from some of its messages.
 class TopicColumns {
  public:
   explicit TopicColumns(const BagTopic& topic);
 
   const std::string& refusal() const { return decoder_.refusal(); }
-  /// Throws `BadBag` for a message that is not what its type says.
+  /// Throws `BadBag` for a message that does not match its type.
   void learn(const BagMessage& message);
   std::size_t learned() const { return learned_; }
   /// Empty where its messages have no numbers.

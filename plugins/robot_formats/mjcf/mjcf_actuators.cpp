@@ -80,7 +80,7 @@ class ActuatorReader {
     return std::nullopt;
   }
 
-  /// Filters are states of their own.
+  /// Filters have states.
   void note_filter(const std::string& dynamics) {
     if (dynamics != "none") leave_out("its filter of the command (" + dynamics + "); add actuator_lag for it");
   }
@@ -94,7 +94,7 @@ class ActuatorReader {
     return Law{kp, 0.0, -kp, -kv};
   }
 
-  /// At the actuator: of the joint over the square of the gear.
+  /// At the actuator: inertia of the joint over the square of the gear.
   double felt_inertia() const { return inertias_[place_.first][place_.second] / (gear_ * gear_); }
 
   std::optional<Law> general_law() {
@@ -113,12 +113,12 @@ class ActuatorReader {
     law.bias = bias[0];
     law.per_length = bias[1];
     law.per_velocity = bias[2];
-    if (law.per_velocity > 0.0 && law.per_length < 0.0)  // a damping ratio, as MuJoCo 3 has it
+    if (law.per_velocity > 0.0 && law.per_length < 0.0)  // a damping ratio, as in MuJoCo 3
       law.per_velocity = -law.per_velocity * 2.0 * std::sqrt(-law.per_length * felt_inertia());
     return law;
   }
 
-  /// The law as a servo on the joint: the program counts the coordinate from the reference.
+  /// The law as a servo on the joint, with the coordinate counted from the reference.
   bool put(const Law& law, ActuatorSpec& spec) {
     const double at_joint = gear_ * gear_;
     if (law.per_length > 0.0 || law.per_velocity > 0.0) {

@@ -4,8 +4,8 @@
 
 namespace lacuna::mjcf {
 
-/// Motors of joints, as the program has them. `inertias` are those that the joints feel at position zero, by body and
-/// joint, for what says a damping ratio. Tendons, sites and bodies are driven by nothing.
+/// Motors of joints, as supported by the program. `inertias` are those of the joints at position zero, by body and
+/// joint, for damping ratios. Actuators of tendons, sites and bodies are left out.
 std::vector<ActuatorSpec> read_actuators(const Document& document, const DefaultClasses& classes,
                                          const std::vector<std::vector<double>>& inertias, File& file);
 

@@ -13,7 +13,7 @@ namespace {
 
 using robot_files::RigidMass;
 
-/// Where an element is read: its body, a frame in that, and the class of its defaults.
+/// Context of an element: its body, a frame in that, and the class of its defaults.
 struct Place {
   std::size_t body = 0;
   Pose frame;
@@ -144,7 +144,7 @@ class BodyReader {
     file_.bodies[place.body].mass = mass;
   }
 
-  /// What the file says, or its geoms, within the compiler's bounds.
+  /// The values in the file, or those of its geoms, within the compiler's bounds.
   void weigh(std::size_t index) {
     Body& body = file_.bodies[index];
     const InertiaFromGeom from = file_.settings.inertia_from_geom;

@@ -17,14 +17,14 @@ bool has_one_coordinate(const Joint& joint) {
   return joint.kind == JointKind::hinge || joint.kind == JointKind::slider;
 }
 
-/// A joint that follows is followed by none.
+/// A joint that follows another must not be followed.
 bool makes_a_chain(const std::vector<CouplingSpec>& couplings, const Joint& joint, const Joint& follows) {
   return std::any_of(couplings.begin(), couplings.end(), [&](const CouplingSpec& other) {
     return other.joint == joint.name || other.joint == follows.name || other.follows == joint.name;
   });
 }
 
-/// Whether the element is done with: a coupling more, or a problem.
+/// Whether the element is handled: one more coupling, or a problem.
 bool read_coupling(const Attributes& tie, const File& file, std::vector<CouplingSpec>& couplings) {
   if (tie.element().name() != "joint" || !tie.flag("active", true) || !tie.has("joint2")) return false;
   const Joint* joint = joint_called(file, tie.text_of("joint1").value_or(""));

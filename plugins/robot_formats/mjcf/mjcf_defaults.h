@@ -8,7 +8,7 @@
 
 namespace lacuna::mjcf {
 
-/// An element with the defaults of its class: what it does not say itself, the nearest class that does tells.
+/// An element with the defaults of its class: a missing attribute comes from the nearest class that has it.
 class Attributes {
  public:
   Attributes(XmlElement element, std::vector<XmlElement> defaults)
@@ -16,7 +16,7 @@ class Attributes {
 
   const XmlElement& element() const { return element_; }
   bool has(const char* attribute) const { return source_of(attribute).text_of(attribute).has_value(); }
-  /// Whether the element says it itself.
+  /// Whether the element has the attribute.
   bool says(const char* attribute) const { return element_.text_of(attribute).has_value(); }
 
   std::optional<std::string> text_of(const char* attribute) const { return source_of(attribute).text_of(attribute); }
@@ -29,7 +29,7 @@ class Attributes {
   std::optional<std::vector<double>> numbers(const char* attribute, std::size_t fewest, std::size_t most) const {
     return source_of(attribute).numbers(attribute, fewest, most);
   }
-  /// "true" or "false"; `otherwise` where it is not written, "auto", or neither, which is a problem.
+  /// "true" or "false"; `otherwise` where it is missing, "auto", or neither, which is a problem.
   bool flag(const char* attribute, bool otherwise) const;
 
  private:
@@ -39,13 +39,13 @@ class Attributes {
   std::vector<XmlElement> defaults_;  ///< the nearest class first
 };
 
-/// The <default> classes of a document. A class has what the one around it has, and its own before that.
+/// The <default> classes of a document. A class inherits from the enclosing one and overrides it.
 class DefaultClasses {
  public:
   explicit DefaultClasses(const Document& document);
 
-  /// The element with defaults that have its name or one of `also`: those of the class that it names, else of
-  /// `childclass`, else of the main class. A class that there is not is a problem.
+  /// The element with the defaults for its name or one of `also`: those of the class that it names, else of
+  /// `childclass`, else of the main class. An unknown class is a problem.
   Attributes of(const XmlElement& element, const std::string& childclass,
                 const std::vector<std::string_view>& also = {}) const;
 

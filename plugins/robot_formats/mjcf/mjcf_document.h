@@ -15,16 +15,16 @@ namespace lacuna::mjcf {
 
 using robot_files::XmlElement;
 
-/// An MJCF file with all that it includes. Elements are those of this document and live as long as it does.
+/// An MJCF file with all of its included files. Elements belong to this document and live as long as it does.
 class Document {
  public:
-  /// Files are looked for from the folder of the main file on, then from that of the file that includes them. One that
-  /// is included twice, which a cycle would be, is a problem, as MuJoCo has it.
+  /// Files are searched in the folder of the main file, then in that of the file that includes them. A file that is
+  /// included twice, including a cycle, is a problem, as in MuJoCo.
   Document(const RobotText& file, std::vector<RobotFileProblem>& problems);
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
-  /// What stands in an element, or of these what has the name; in place of an <include> what stands in its file.
+  /// The children of an element, or those with the name; an <include> is replaced by the content of its file.
   std::vector<XmlElement> children(const XmlElement& element, std::string_view name = {}) const;
 
   /// What stands in all sections of that name below <mujoco>. None in a document with problems.

@@ -19,7 +19,7 @@ struct Joint {
   JointKind kind = JointKind::hinge;
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  ///< in the body
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< of unit length, in the body
-  double reference = 0.0;                            ///< what the file counts where the program counts 0, rad or m
+  double reference = 0.0;                            ///< the file's value where the program's is 0, rad or m
   double lower = -kInfinity, upper = kInfinity;      ///< as the program counts
   double damping = 0.0, dry_friction = 0.0, stiffness = 0.0, rest = 0.0, armature = 0.0;
   double force_limit = kInfinity;  ///< of all actuators together, N·m or N
@@ -33,7 +33,7 @@ struct Body {
   Pose pose;               ///< in the parent
   std::vector<Joint> joints;
   std::optional<robot_files::RigidMass> mass;
-  std::size_t unread_meshes = 0;  ///< whose mass would count
+  std::size_t unread_meshes = 0;  ///< whose mass is to be counted
 };
 
 /// A point with axes on a body.
@@ -42,14 +42,14 @@ struct Site {
   Pose pose;
 };
 
-/// What stands in the bodies of an MJCF file. Names are those of the program.
+/// The bodies of an MJCF file. Names are those of the program.
 struct File {
   std::string name;
   Settings settings;
-  std::vector<Body> bodies;  ///< the world first, each behind its parent
+  std::vector<Body> bodies;  ///< the world first, each after its parent
   std::map<std::string, Site> sites;
   std::map<std::string, std::size_t> body_of_name;                           ///< as written
-  std::map<std::string, std::pair<std::size_t, std::size_t>> joint_of_name;  ///< as written → body, joint
+  std::map<std::string, std::pair<std::size_t, std::size_t>> joint_of_name;  ///< name as written → body, joint
   robot_files::ElementNames names;
   std::vector<RobotRemark> remarks;
   std::vector<RobotFileProblem>* problems = nullptr;

@@ -13,20 +13,20 @@ using robot_files::RigidMass;
 
 constexpr double kWater = 1000.0;  ///< kg/m³
 
-/// Radii or half lengths, and where the shape lies.
+/// Radii or half lengths, and the place of the shape.
 struct Shape {
   std::string type;
   Vector3d size = Vector3d::Zero();
   Pose pose;
 };
 
-/// Volume, m³, and moments of inertia per mass along the own axes, m².
+/// Volume, m³, and moments of inertia per mass along its own axes, m².
 struct Solid {
   double volume = 0.0;
   Vector3d moments = Vector3d::Zero();
 };
 
-/// A cylinder of radius r and height h between two halves of a ball.
+/// A cylinder of radius r and height h between two hemispheres.
 Solid capsule(double r, double h) {
   const double cylinder = std::numbers::pi * r * r * h, ball = 4.0 / 3.0 * std::numbers::pi * r * r * r;
   const double volume = cylinder + ball;

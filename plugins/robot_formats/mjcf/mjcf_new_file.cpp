@@ -14,7 +14,7 @@ using robot_files::numbers_text;
 using robot_files::vector_text;
 using tinyxml2::XMLElement;
 
-/// A file of its own for a robot: the frames of bodies stand where the robot has them.
+/// A new file for a robot: the frames of bodies are those of the robot.
 class NewFile {
  public:
   NewFile(const RobotSpec& robot, std::vector<RobotRemark>& remarks) : robot_(robot), remarks_(remarks) {

@@ -17,13 +17,13 @@ using robot_files::joined;
 using robot_files::moved;
 using robot_files::RigidMass;
 
-constexpr double kLeastMass = 1e-3;       ///< kg, of a body that moves and has none
-constexpr double kNextToNothing = 1e-11;  ///< of the mass of a body, for what stands between its joints
+constexpr double kLeastMass = 1e-3;       ///< kg, of a body that moves but has no mass
+constexpr double kNextToNothing = 1e-11;  ///< of the mass of a body, for bodies between its joints
 constexpr double kSmallest = 1e-12;       ///< kg
 
 bool is_free(const Body& body) { return !body.joints.empty() && body.joints.front().kind == JointKind::free; }
 
-/// Frees or holds what stands in the world, as the user asks.
+/// Frees or fixes the bodies in the world, as the user asks.
 void set_base(File& file, RobotBase base) {
   const bool any_free = std::any_of(file.bodies.begin(), file.bodies.end(), is_free);
   if (base == RobotBase::held)
@@ -78,7 +78,7 @@ class RobotMaker {
 
   Pose in_carrier(std::size_t body) const { return world_[carrier_[body]].inverse() * world_[body]; }
 
-  /// All that moves with each carrier, in its frame.
+  /// All bodies that move with each carrier, in its frame.
   void weigh() {
     std::vector<std::vector<RigidMass>> parts(file_.bodies.size());
     std::vector<std::size_t> meshes(file_.bodies.size());
@@ -107,7 +107,7 @@ class RobotMaker {
 
   std::string name_of(std::size_t carrier) const { return carrier == 0 ? kWorld : file_.bodies[carrier].name; }
 
-  /// A chain of its joints, the last of which holds the body itself.
+  /// A chain of its joints, the last of which holds the body.
   void add_body(std::size_t index) {
     const Body& body = file_.bodies[index];
     std::string parent = name_of(carrier_[body.parent]);
@@ -150,7 +150,7 @@ class RobotMaker {
     return all;
   }
 
-  /// What each joint moves at position zero, itself included; kg·m² or kg.
+  /// Inertia that each joint moves at position zero, including its own; kg·m² or kg.
   std::vector<std::vector<double>> felt_inertias() const {
     std::vector<RigidMass> moved_by(file_.bodies.size());  // in the world
     for (std::size_t i = 1; i < moved_by.size(); ++i)
@@ -251,14 +251,14 @@ class RobotMaker {
   const DefaultClasses& classes_;
   File& file_;
   RobotSpec robot_;
-  std::vector<std::size_t> carrier_;  ///< by body: the one whose joint moves it; the world's of what stands still
+  std::vector<std::size_t> carrier_;  ///< by body: the one whose joint moves it; the world's for fixed bodies
   std::vector<Pose> world_;           ///< by body, all joints at zero
   std::vector<RigidMass> masses_;     ///< by carrier, in its frame
   std::map<std::string, double> references_;
   std::size_t bodies_on_chains_ = 0;
 };
 
-/// One remark for all that are guessed of names and of the base.
+/// One remark for all guesses from names and about the base.
 void note_base(const File& file, std::vector<RobotRemark>& remarks) {
   for (const Body& body : file.bodies)
     if (is_free(body)) return;

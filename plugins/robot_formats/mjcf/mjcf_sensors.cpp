@@ -5,7 +5,7 @@
 namespace lacuna::mjcf {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  ///< m, or of a turn
+constexpr double kSamePlace = 1e-9;  ///< m, or of a rotation
 
 bool is_identity(const Eigen::Quaterniond& turn) { return turn.vec().norm() < kSamePlace; }
 
@@ -61,7 +61,7 @@ class SensorReader {
     return true;
   }
 
-  /// Of the frame of a body that moves, not of one that is a part of another.
+  /// For the frame of a body that moves, not of one that is a part of another.
   bool of_body(const XmlElement& element, SensorKind kind, SensorSpec& spec) {
     if (element.text_of("objtype").value_or("") != "xbody" || element.text_of("reftype")) return false;
     const auto found = file_.body_of_name.find(element.required_text("objname"));

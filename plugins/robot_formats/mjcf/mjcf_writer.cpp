@@ -38,7 +38,7 @@ bool same_mass(const BodySpec& a, const BodySpec& b) {
   return a.mass == b.mass && a.com == b.com && matrix_of(a.inertia) == matrix_of(b.inertia);
 }
 
-/// The file that a robot was read from, with other numbers.
+/// The file from which a robot was read, with other numbers.
 class FileEditor {
  public:
   FileEditor(const RobotSpec& wanted, const File& file, const RobotSpec& read)
@@ -75,7 +75,7 @@ class FileEditor {
     if (own.mass > 0.0 && robot_files::can_be(own.inertia)) put_inertial(element, own);
   }
 
-  /// What bodies without joints weigh that stand in it, in its frame.
+  /// Mass of the bodies without joints inside it, in its frame.
   std::optional<RigidMass> carried_by(std::size_t carrier) const {
     std::vector<RigidMass> parts;
     std::vector<std::pair<std::size_t, Pose>> open = {{carrier, {}}};

@@ -8,16 +8,16 @@
 
 namespace lacuna::robot_files {
 
-/// Names of the program have letters, digits, _ and -; others become some. The same name becomes the same.
+/// Names of the program consist of letters, digits, _ and -; others are converted. Equal names stay equal.
 class ElementNames {
  public:
-  /// `what` is the kind, "joint": two of one kind that would become one are told apart by _2, _3.
+  /// `what` is the kind, "joint": two of one kind that would get the same name are distinguished by _2, _3.
   std::string named(std::string_view what, const std::string& written, int line, const std::string& file,
                     std::vector<RobotRemark>& remarks);
 
-  /// Whether a name is taken by one of that kind.
+  /// Whether a name is used by one of that kind.
   bool is_taken(std::string_view what, const std::string& name) const;
-  /// `name`, or with _2, _3 behind it where that is taken; taken from then on.
+  /// `name`, or with _2, _3 after it where that is used; reserves it.
   std::string new_name(std::string_view what, const std::string& name);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace lacuna::robot_files {
 
-/// A frame in another.
+/// A frame relative to another.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
@@ -24,22 +24,22 @@ struct RigidMass {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
-/// What a mass elsewhere adds to the inertia about a point `away` from it.
+/// Inertia that a mass adds about a point at a distance `away` from it.
 Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& away);
 
-/// Of parts that move together, all in one frame.
+/// Total of parts that move together, all in one frame.
 RigidMass joined(const std::vector<RigidMass>& parts);
 
-/// What is left of a whole without a part of it, both in one frame; the whole weighs more.
+/// A whole minus a part of it, both in one frame; the whole is heavier.
 RigidMass without(const RigidMass& whole, const RigidMass& part);
 
-/// Of a frame that stands at `pose` in another: seen from that other.
+/// Transformed from a frame at `pose` in another into that other.
 RigidMass moved(const RigidMass& mass, const Pose& pose);
 
 InertiaSpec spec_of(const Eigen::Matrix3d& inertia);
 Eigen::Matrix3d matrix_of(const InertiaSpec& inertia);
 
-/// A body with that mass, whose frame stands at `pose` in the world.
+/// A body with that mass, whose frame is at `pose` in the world.
 BodySpec body_of(const std::string& name, const RigidMass& mass, const Pose& pose);
 
 }  // namespace lacuna::robot_files

@@ -17,7 +17,7 @@ using tinyxml2::XMLNode;
 
 constexpr const char* kBlanks = " \t\r\n";
 
-/// Behind the comment, instruction or declaration that begins at a place; nothing where an element does.
+/// End of the comment, instruction or declaration that begins at a place; nothing for an element.
 std::optional<std::size_t> behind_no_element(std::string_view text, std::size_t at) {
   constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
       {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}};
@@ -29,7 +29,7 @@ std::optional<std::size_t> behind_no_element(std::string_view text, std::size_t 
   return std::nullopt;
 }
 
-/// Behind the tag that begins at a place; a text in quotes may have its sign.
+/// End of the tag that begins at a place; a text in quotes may contain its last character.
 std::size_t behind_tag(std::string_view text, std::size_t at) {
   char quote = '\0';
   for (; at < text.size(); ++at) {
@@ -44,7 +44,7 @@ std::size_t behind_tag(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-/// Where an attribute stands in a start tag.
+/// The place of an attribute in a start tag.
 struct AttributeSpan {
   std::string name;
   std::size_t start = 0, value = 0, value_end = 0;
@@ -77,7 +77,7 @@ std::optional<double> number_of(std::string_view word) {
   return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
-/// Whether two values are one text, or the same numbers, as "1.50" and "1.5" are.
+/// Whether two values are equal texts, or equal numbers, such as "1.50" and "1.5".
 bool same_value(std::string_view a, std::string_view b) {
   if (a == b) return true;
   const std::vector<std::string_view> of_a = words_of(a), of_b = words_of(b);
@@ -179,7 +179,7 @@ std::string XmlEditing::start_tag(const XMLElement& element, std::size_t index, 
   return tag;
 }
 
-/// A new element on lines of its own, one step further to the right than its parent.
+/// A new element on separate lines, indented one step further than its parent.
 std::string XmlEditing::inserted(const XMLElement& element, const ElementSpan& parent) const {
   const std::string outer = indent_before(parent.start);
   const std::string indent = parent.children.empty() ? outer + "  " : indent_before(spans_[parent.children[0]].start);

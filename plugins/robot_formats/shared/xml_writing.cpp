@@ -8,7 +8,7 @@
 namespace lacuna::robot_files {
 namespace {
 
-/// By which a comment of an earlier export is known, so that it is replaced.
+/// Identifies a comment of an earlier export, which is replaced.
 constexpr const char* kMark = "Identified by Lacuna";
 
 }  // namespace

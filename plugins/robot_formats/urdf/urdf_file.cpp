@@ -13,7 +13,7 @@ namespace {
 
 using robot_files::XmlElement;
 
-/// Whether it tells how to make a URDF, with elements of xacro, rather than what a robot is. Comments do not count.
+/// Whether it is a template with elements of xacro instead of a robot. Comments do not count.
 bool is_xacro(const tinyxml2::XMLElement& element) {
   if (std::string_view(element.Name()).starts_with("xacro:")) return true;
   for (const tinyxml2::XMLElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
@@ -34,7 +34,7 @@ Pose pose_of(const XmlElement& parent) {
   return {origin->vector("xyz", Eigen::Vector3d::Zero()), turned(origin->vector("rpy", Eigen::Vector3d::Zero()))};
 }
 
-/// Reads what stands below <robot>.
+/// Reads the elements below <robot>.
 class FileReader {
  public:
   explicit FileReader(File& file) : file_(file) {}
@@ -57,7 +57,7 @@ class FileReader {
     file_.remarks.push_back({kind, line, std::move(text)});
   }
 
-  /// The same name gets the same.
+  /// Equal names get equal names.
   std::string named(const std::string& written, int line) {
     std::string name = written;
     for (char& c : name)
@@ -178,7 +178,7 @@ class FileReader {
     return std::any_of(file_.joints.begin(), file_.joints.end(), [&](const Joint& one) { return one.child == link; });
   }
 
-  /// What is called world stands still; a link of that name that moves is called otherwise.
+  /// A link named world is fixed; a moving link of that name gets another name.
   void tell_from_world() {
     if (!links_.contains(kWorld)) return;
     std::string name = "world_body";
@@ -193,7 +193,7 @@ class FileReader {
         if (*link == kWorld) *link = name;
   }
 
-  /// One remark a kind of element.
+  /// One remark per kind of element.
   void note_unread(const XmlElement& element) {
     static const std::set<std::string, std::less<>> kRead = {"link", "joint", "material", "ros2_control",
                                                              "transmission"};
@@ -202,7 +202,7 @@ class FileReader {
 
   File& file_;
   std::set<std::string> links_, joints_, written_;
-  std::map<std::string, int> unread_;  ///< by name, where it stands first
+  std::map<std::string, int> unread_;  ///< by name, with its first place
 };
 
 }  // namespace

@@ -41,10 +41,10 @@ struct Joint {
   double velocity = 0.0;  ///< rad/s or m/s; 0: none is written
   double damping = 0.0, friction = 0.0;
   std::optional<Mimic> mimic;
-  std::optional<JointCommands> commands;  ///< nothing: the file does not say
+  std::optional<JointCommands> commands;  ///< nothing: the file does not state it
 };
 
-/// What stands in a URDF file.
+/// The contents of a URDF file.
 struct File {
   std::string name;
   std::vector<Link> links;
@@ -54,8 +54,8 @@ struct File {
   std::vector<RobotFileProblem> problems;
 };
 
-/// Names of links and joints become names of the program: letters, digits, _ and -. A link "world" that moves, as it
-/// does at the root where the base is free, gets another name.
+/// Names of links and joints become names of the program: letters, digits, _ and -. A link "world" that moves, such as
+/// the root where the base is free, gets another name.
 File read_file(const std::string& text, RobotBase base);
 
 }  // namespace lacuna::urdf

@@ -5,7 +5,7 @@
 namespace lacuna::urdf {
 namespace {
 
-// Of a servo whose gains nobody says: it puts out its whole effort for this error, and moves this slowly.
+// Defaults for a servo without gains: its full effort for this error, and a time constant of this size.
 constexpr double kUsualEffort = 10.0;  ///< N·m or N
 constexpr double kUsualError = 0.1;    ///< rad or m
 constexpr double kUsualTime = 0.1;     ///< kd over kp, s

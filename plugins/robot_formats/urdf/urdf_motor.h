@@ -4,8 +4,9 @@
 
 namespace lacuna::urdf {
 
-/// What drives a joint. Nothing says so (`says_commands`): a force or torque. Else what its command interfaces say; of
-/// several the effort, for it needs no servo that nobody describes. Nothing where the joint has none.
+/// The drive of a joint. Without any command interface in the file (`says_commands`): a force or torque. Else according
+/// to the joint's command interfaces; of several the effort, because it needs no servo. Nothing where the joint has
+/// none.
 std::optional<ActuatorSpec> motor_of(const Joint& joint, bool says_commands, std::vector<RobotRemark>& remarks);
 
 }  // namespace lacuna::urdf

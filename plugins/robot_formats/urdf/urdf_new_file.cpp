@@ -95,7 +95,7 @@ class FileMaker {
     }
   }
 
-  /// Joints without a motor are told from those with one, and servos from forces.
+  /// Distinguishes joints without a motor from those with one, and servos from forces.
   void add_commands(XMLElement& root) {
     XMLElement& control = *root.InsertNewChildElement("ros2_control");
     control.SetAttribute("name", robot_.name.c_str());

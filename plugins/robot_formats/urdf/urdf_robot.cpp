@@ -15,14 +15,14 @@ using robot_files::joined;
 using robot_files::moved;
 using robot_files::repaired;
 
-constexpr double kLeastMass = 1e-3;  ///< kg, of a body that moves and has none
+constexpr double kLeastMass = 1e-3;  ///< kg, of a body that moves but has no mass
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// Where a link is, and with which other it moves.
+/// The place of a link, and the link with which it moves.
 struct Placed {
   Pose pose;                    ///< in the world, all joints at zero
-  std::size_t carrier = kNone;  ///< the link whose joint moves it; the root of what stands still
-  std::size_t joint = kNone;    ///< by which it is held; the root has none
+  std::size_t carrier = kNone;  ///< the link whose joint moves it; the root for fixed links
+  std::size_t joint = kNone;    ///< joint that holds it; the root has none
 };
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -63,7 +63,7 @@ class RobotMaker {
     return kNone;
   }
 
-  /// Which joint holds which link, and which hang on it.
+  /// Parent and child joints of the links.
   void hold_links() {
     hanging_.resize(file_.links.size());
     for (std::size_t j = 0; j < file_.joints.size(); ++j) {
@@ -147,7 +147,7 @@ class RobotMaker {
     add_joint(link);
   }
 
-  /// Of all links that a joint moves together, in the frame of the first.
+  /// Total of all links that a joint moves together, in the frame of the first.
   RigidMass mass_of(std::size_t carrier) {
     std::vector<RigidMass> parts;
     for (const std::size_t link : order_)
@@ -254,7 +254,7 @@ class RobotMaker {
   std::map<std::string, std::size_t> link_of_name_;
   std::vector<Placed> placed_;                     ///< by link
   std::vector<std::vector<std::size_t>> hanging_;  ///< by link
-  std::vector<std::size_t> order_;                 ///< of links, each behind the one that it hangs on
+  std::vector<std::size_t> order_;                 ///< of links, each after its parent
 };
 
 }  // namespace

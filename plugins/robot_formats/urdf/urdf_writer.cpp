@@ -26,7 +26,7 @@ bool same_mass(const BodySpec& a, const BodySpec& b) {
   return a.mass == b.mass && a.com == b.com && matrix_of(a.inertia) == matrix_of(b.inertia);
 }
 
-/// The file that a robot was read from, with other numbers.
+/// The file from which a robot was read, with other numbers.
 class FileEditor {
  public:
   FileEditor(const RobotToWrite& wanted, const File& file, const RobotSpec& read)
@@ -54,7 +54,7 @@ class FileEditor {
       put_limits(element, *wanted, effort);
   }
 
-  /// The carrier gets what the links that fixed joints hold to it do not have.
+  /// The carrier gets the mass that the links fixed to it do not have.
   void edit_body(const BodySpec& body) {
     const BodySpec* before = body_called(read_, body.name);
     const auto element = links_.find(body.name);
@@ -77,7 +77,7 @@ class FileEditor {
     if (XMLElement* inertial = link.FirstChildElement("inertial")) link.DeleteChild(inertial);
   }
 
-  /// Links with a mass that fixed joints hold to one, and what they weigh in its frame.
+  /// Links with a mass that are fixed to one, and their total in its frame.
   std::vector<std::pair<std::string, RigidMass>> held_by(const std::string& carrier) const {
     std::vector<std::pair<std::string, RigidMass>> held;
     std::vector<std::pair<std::string, Pose>> open = {{carrier, {}}};

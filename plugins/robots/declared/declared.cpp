@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// A robot that is written down in a TOML file: the host reads the file, this plugin hands it on.
+/// A robot from a TOML file: the host reads the file, this plugin passes it on.
 class Declared : public RobotDefinition {
  public:
   std::string summary() const override;

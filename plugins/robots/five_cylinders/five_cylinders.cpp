@@ -11,12 +11,12 @@ namespace lacuna {
 
 /// The target of J. Bongard, H. Lipson, "Automatic Synthesis of Multiple Internal Models Through Active Exploration",
 /// experiment 2: three spinal cylinders and two arms, flat on the ground, four motorised hinges, touch, angle and range
-/// sensors. The README tells geometry and conventions.
+/// sensors. The README describes geometry and conventions.
 class FiveCylinders : public RobotDefinition {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` for a number of beacons that is none of 0 to 4.
+  /// Throws `Error` for a number of beacons that is not from 0 to 4.
   RobotSpec build(const RobotRequest& request) const override;
 };
 
@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGravity = 9.8;  // m/s², as the source's other experiment has it
+constexpr double kGravity = 9.8;  // m/s², as in the source's other experiment
 constexpr double kHalfPi = 0.5 * std::numbers::pi;
 
 enum Parameter : std::size_t {
@@ -44,7 +44,7 @@ enum Parameter : std::size_t {
 
 constexpr const char* kBase = "torso";
 
-/// A part, its tail at `tail`, along +x turned by `yaw` about z.
+/// A part with its tail at `tail`, along +x rotated by `yaw` about z.
 struct Part {
   const char* name;
   Vector3d tail;

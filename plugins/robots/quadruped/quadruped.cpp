@@ -7,9 +7,9 @@
 
 namespace lacuna {
 
-/// The quadruped of J. Bongard, H. Lipson, "Automatic Synthesis of Multiple Internal Models Through
-/// Active Exploration", experiment 1: a torso, four legs of two parts, eight motorised hinges, touch sensors
-/// on the lower legs and angle sensors at the knees. The README tells geometry and conventions.
+/// The quadruped of J. Bongard, H. Lipson, "Automatic Synthesis of Multiple Internal Models Through Active
+/// Exploration", experiment 1: a torso, four legs of two parts, eight motorised hinges, touch sensors on the lower legs
+/// and angle sensors at the knees. The README describes geometry and conventions.
 class Quadruped : public RobotDefinition {
  public:
   std::string summary() const override;
@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The source has y up; here z is up and x forward. The one place where its figures are turned.
+/// The source has y up; here z is up and x forward. Only this function converts its figures.
 Vector3d from_source(double x, double y, double z) { return {z, x, y}; }
 
 /// Knees in the source's figures are at (±1, 1.6, ±1). Order: B2/B3, B4/B5, B6/B7, B8/B9.
@@ -41,7 +41,7 @@ constexpr double kLegLength = 1.5;                 // without caps: a lower leg 
 constexpr double kRange = std::numbers::pi / 6.0;  // of joints and commands, rad
 constexpr double kGravity = 9.8;
 
-/// Places of the parameters; two masses a leg follow.
+/// Indices of the parameters; two masses per leg follow.
 enum Parameter : std::size_t { kSpeedGain, kForceLimit, kServoDamping, kTorsoRadius, kTorsoMass };
 
 InertiaSpec solid_sphere(double mass, double radius) {
@@ -49,7 +49,7 @@ InertiaSpec solid_sphere(double mass, double radius) {
   return {.xx = moment, .yy = moment, .zz = moment};
 }
 
-/// A solid capsule along z: a cylinder and two half spheres of one density.
+/// A solid capsule along z: a cylinder and two hemispheres of one density.
 InertiaSpec solid_capsule(double mass, double radius, double length) {
   const double cylinder = length, caps = 4.0 / 3.0 * radius;  // volumes over pi r²
   const double m_cylinder = mass * cylinder / (cylinder + caps);
@@ -71,8 +71,8 @@ BodySpec torso(double mass, double radius) {
   return body;
 }
 
-/// The shortest turn of z onto a direction that is not its opposite. Eigen's `FromTwoVectors` gives the same, but takes
-/// twenty times as long to compile as all else here.
+/// The shortest rotation of z onto a direction that is not its opposite. Eigen's `FromTwoVectors` gives the same, but
+/// takes twenty times as long to compile as everything else here.
 Eigen::Quaterniond turn_of_z_onto(const Vector3d& direction) {
   const Vector3d along = direction.normalized();
   const double s = std::sqrt((1.0 + along.z()) * 2.0);

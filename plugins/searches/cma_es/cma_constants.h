@@ -7,9 +7,9 @@
 
 namespace lacuna {
 
-/// The constants of Hansen's tutorial (2016), table 1, for n genes and a population, in its letters.
+/// The constants of Hansen's tutorial (2016), table 1, for n genes and a population, with its symbols.
 struct CmaConstants {
-  Eigen::VectorXd weights;  ///< of the best half, best first; they add up to 1
+  Eigen::VectorXd weights;  ///< of the best half, best first; their sum is 1
   double mu_eff;            ///< variance-effective size of the better half
   double c_sigma, d_sigma;  ///< step size
   double c_c, c_1, c_mu;    ///< covariance

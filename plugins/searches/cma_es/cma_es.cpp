@@ -16,7 +16,7 @@ namespace lacuna {
 
 /// Evolution strategy with covariance matrix adaptation after N. Hansen, "The CMA evolution strategy: a tutorial"
 /// (2016, arXiv:1604.00772), with weights on the better half only. Makes its own children: the breeder is not used. All
-/// scores count in full: which of them belong to the better half is not known before the generation ends.
+/// scores count in full, because the better half is not known before the generation ends.
 class CmaEs : public SearchStrategy {
  public:
   std::string summary() const override;
@@ -33,10 +33,10 @@ using Eigen::VectorXd;
 
 enum Parameter : std::size_t { kPopulation, kGenerations, kSigma };
 
-constexpr double kNarrowest = 1e-15;  // step size, in ranges of a gene: less is lost to rounding
+constexpr double kNarrowest = 1e-15;  // step size, in ranges of a gene: smaller steps are lost in rounding
 constexpr double kLeastVariance = 1e-30;
 
-/// Distance between the quartiles of the finite scores: what counts as a difference in this generation.
+/// Distance between the quartiles of the finite scores: the scale of differences in this generation.
 double spread(const std::vector<ScoredIndividual>& told) {
   std::vector<double> finite;
   for (const ScoredIndividual& one : told)
@@ -46,7 +46,7 @@ double spread(const std::vector<ScoredIndividual>& told) {
   return finite[3 * (finite.size() - 1) / 4] - finite[(finite.size() - 1) / 4];
 }
 
-/// Genes run from 0 to 1 in here; the letters are the tutorial's.
+/// Genes run from 0 to 1 here; symbols are those of the tutorial.
 class CmaSearch : public GenerationalSearch {
  public:
   CmaSearch(const SearchTask& task, std::size_t population, std::size_t generations, double sigma)
@@ -74,7 +74,7 @@ class CmaSearch : public GenerationalSearch {
       VectorXd z(n_);
       for (double& value : z) value = random.normal();
       steps_.col(k) = axes_ * lengths_.cwiseProduct(z);
-      // A seed is tried itself, so that what is known is never lost.
+      // A seed is also evaluated itself, so that a known solution is never lost.
       if (k == 0 && generation() == 0 && !task().seeds.empty()) steps_.col(k).setZero();
       individuals.push_back({0, decoded(mean_ + sigma_ * steps_.col(k)), {}});
     }
@@ -89,8 +89,8 @@ class CmaSearch : public GenerationalSearch {
     kept().resize(std::min(kept().size(), static_cast<std::size_t>(constants_.weights.size())));
   }
 
-  /// Best first. A point beyond the bounds was tried at its nearest point within them and ranks as if it were worse by
-  /// the generation's spread for each squared step that it lies outside.
+  /// Best first. A point beyond the bounds was evaluated at its nearest point within them; its rank is that of a score
+  /// increased by the generation's spread for each squared step outside.
   std::vector<Index> ranking(const std::vector<ScoredIndividual>& told) const {
     const double step = sigma_ * std::sqrt(covariance_.trace() / static_cast<double>(n_));
     const double weight = spread(told) / (step * step);
@@ -173,10 +173,10 @@ class CmaSearch : public GenerationalSearch {
   MatrixXd covariance_;
   VectorXd path_c_;
   VectorXd path_sigma_;
-  // Of the generation under way.
+  // Of the current generation.
   MatrixXd axes_;     // B
   VectorXd lengths_;  // the diagonal of D
-  MatrixXd steps_;    // y, one column an individual
+  MatrixXd steps_;    // y, one column per individual
 };
 
 std::size_t default_population(std::size_t genes) {

@@ -11,8 +11,8 @@
 namespace lacuna {
 
 /// Differential evolution, rand/1/bin (Storn and Price, 1997): each individual is challenged by a mix of itself with
-/// another one that was moved along the difference of two more. Makes its own children: the breeder only draws the
-/// first generation.
+/// another one that is moved along the difference of two more. Makes its own children: the breeder only draws the first
+/// generation.
 class DifferentialEvolution : public SearchStrategy {
  public:
   std::string summary() const override;
@@ -37,7 +37,7 @@ class DifferentialEvolutionSearch : public GenerationalSearch {
   DifferentialEvolutionSearch(const SearchTask& task, const Settings& settings)
       : GenerationalSearch(task, settings.generations), settings_(settings) {}
 
-  /// A challenger above the worst of all is above its own target, too.
+  /// A challenger with a score above the worst of all is also above its own target.
   std::optional<double> abandon_above() const override {
     if (kept().empty()) return std::nullopt;
     const double worst = std::max_element(kept().begin(), kept().end(), better)->score;
@@ -61,7 +61,7 @@ class DifferentialEvolutionSearch : public GenerationalSearch {
       if (told[i].score <= kept()[i].score) kept()[i] = std::move(told[i]);
   }
 
-  /// Base and the two whose difference moves it: all different, and none the target.
+  /// Base and the two whose difference moves it: all different, and not the target.
   std::array<std::size_t, 3> partners(std::size_t target, RandomStream& random) const {
     std::array<std::size_t, 3> chosen{target, target, target};
     for (std::size_t k = 0; k < chosen.size();) {

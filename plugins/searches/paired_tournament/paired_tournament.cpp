@@ -10,8 +10,9 @@
 
 namespace lacuna {
 
-/// The search of the seed's experiment 2: pairs drawn one after the other; the fitter overwrites the other, and the
-/// copy is varied. A generation is so many pairs. Pairs whose individuals have a score are asked together.
+/// The search of the seed's experiment 2: pairs drawn one after the other; a mutated copy of the fitter individual
+/// replaces the other. A generation is a fixed number of pairs. Pairs whose individuals have a score are asked
+/// together.
 class PairedTournament : public SearchStrategy {
  public:
   std::string summary() const override;
@@ -29,7 +30,7 @@ class PairedTournamentSearch : public GenerationalSearch {
       : GenerationalSearch(task, generations), population_(population), pairs_(pairs) {}
 
  private:
-  /// The next pairs, in their order, up to the first that needs the score of a child that has none yet. `kept()` is the
+  /// The next pairs, in their order, up to the first that depends on the pending score of a child. `kept()` is the
   /// population, place by place.
   std::vector<Individual> do_ask() override {
     std::vector<Individual> asked;
@@ -83,8 +84,8 @@ class PairedTournamentSearch : public GenerationalSearch {
   }
 
   std::size_t population_, pairs_;
-  std::size_t done_ = 0;                  // pairs that have been told, of this generation or, if all, of the last
-  std::vector<std::size_t> overwritten_;  // places that what was asked goes to
+  std::size_t done_ = 0;                  // pairs with scores, of this generation or, if all, of the last
+  std::vector<std::size_t> overwritten_;  // places for the individuals that were asked
 };
 
 }  // namespace

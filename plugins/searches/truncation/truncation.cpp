@@ -17,7 +17,7 @@ class Truncation : public SearchStrategy {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` where nothing would be left to replace.
+  /// Throws `Error` where no individual would be replaced.
   std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const override;
 };
 
@@ -30,7 +30,7 @@ class TruncationSearch : public GenerationalSearch {
   TruncationSearch(const SearchTask& task, std::size_t population, std::size_t keep, std::size_t generations)
       : GenerationalSearch(task, generations), population_(population), keep_(keep) {}
 
-  /// A child enters only in place of the worst survivor, which keeps its place where both are equal.
+  /// A child only replaces the worst survivor, which stays where both are equal.
   std::optional<double> abandon_above() const override {
     if (kept().empty() || std::isinf(kept().back().score)) return std::nullopt;
     return kept().back().score;
@@ -57,7 +57,7 @@ class TruncationSearch : public GenerationalSearch {
     return individual;
   }
 
-  /// Survivors stand best first.
+  /// Survivors are sorted best first.
   void do_tell(std::vector<ScoredIndividual> told) override {
     kept().insert(kept().end(), std::make_move_iterator(told.begin()), std::make_move_iterator(told.end()));
     std::sort(kept().begin(), kept().end(), better);

@@ -4,12 +4,12 @@
 
 namespace lacuna {
 
-/// A target that is another program; what it can carry out it says itself.
+/// A target that is another program, which states the tests that it can carry out.
 class Process : public TargetSystem {
  public:
   std::string summary() const override;
   bool takes_tests() const override { return true; }
-  /// What the host's `ExternalProgram` gives. Throws `Error` where there is none.
+  /// The trials of the host's `ExternalProgram`. Throws `Error` where there is none.
   Trial carry_out(const Test& test, const TargetServices& services) override;
 };
 

@@ -4,12 +4,12 @@
 
 namespace lacuna {
 
-/// A target that is a robot with hidden values in the simulator; any test can be carried out on it.
+/// A simulated robot with hidden values; any test can be carried out on it.
 class Simulated : public TargetSystem {
  public:
   std::string summary() const override;
   bool takes_tests() const override { return true; }
-  /// What the host's `Simulator` gives. Throws `Error` where there is none.
+  /// The trials of the host's `Simulator`. Throws `Error` where there is none.
   Trial carry_out(const Test& test, const TargetServices& services) override;
 };
 

@@ -4,7 +4,7 @@
 
 namespace lacuna {
 
-/// How far forward the best model's centre of mass gets during the test, m.
+/// Forward distance of the best model's centre of mass during the test, m.
 class ForwardDistance : public TestFitness {
  public:
   std::string summary() const override;

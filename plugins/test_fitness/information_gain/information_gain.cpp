@@ -9,8 +9,8 @@
 
 namespace lacuna {
 
-/// What a test is expected to tell about the models' free values: the mean over the models of how much narrower it
-/// makes what the trials so far and the ranges leave of them, in nats, to first order (Bayesian D-optimality).
+/// Expected information of a test about the models' free values: the mean over the models of the decrease of their
+/// uncertainty given the trials so far and the ranges, in nats, to first order (Bayesian D-optimality).
 ///
 /// Literature: D. V. Lindley, Annals of Mathematical Statistics 27 (1956) 986-1005; K. Chaloner and I. Verdinelli,
 /// Statistical Science 10 (1995) 273-304.
@@ -21,7 +21,7 @@ class InformationGain : public TestFitness {
   std::string unit() const override { return "1"; }
   std::size_t models(std::span<const double> parameters) const override;
   bool wants_slopes(std::span<const double>) const override { return true; }
-  /// Throws `Error` where there is no prediction or no noise is known.
+  /// Throws `Error` where there is no prediction or the noise is unknown.
   double score(const Test& test, std::span<const TestPrediction> predictions,
                std::span<const double> parameters) const override;
 };
@@ -30,14 +30,14 @@ namespace {
 
 enum Parameter : std::size_t { kModels };
 
-/// Of a positive definite matrix; not a number for any other.
+/// For a positive definite matrix; NaN for any other.
 double log_determinant(const Eigen::MatrixXd& matrix) {
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   if (factor.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
   return 2.0 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
-/// Squared deviations that a value's whole range makes, all channels together.
+/// Squared standard deviations over the whole range of a value, all channels together.
 Eigen::MatrixXd information_of(const TestPrediction& prediction) {
   const auto values = static_cast<Eigen::Index>(prediction.slopes.size());
   const TimeSeries::Samples& readings = prediction.sensors.samples;
@@ -73,7 +73,7 @@ double InformationGain::score(const Test&, std::span<const TestPrediction> predi
   if (predictions.empty()) throw Error("there is no prediction to evaluate; one model must predict the test");
   double sum = 0.0;
   for (const TestPrediction& prediction : predictions) {
-    if (prediction.slopes.empty()) continue;  // no free value, nothing to learn
+    if (prediction.slopes.empty()) continue;  // no free values, so no information
     const Eigen::MatrixXd& known = prediction.information;
     sum += 0.5 * (log_determinant(known + information_of(prediction)) - log_determinant(known));
     if (!prediction.sensors.samples.allFinite()) return std::numeric_limits<double>::quiet_NaN();

@@ -10,9 +10,9 @@
 
 namespace lacuna {
 
-/// How far apart the best models' predictions of the sensors are: the mean over all pairs of half their squared
-/// difference in noise deviations, which is what one trial is expected to add to the log likelihood of the right one
-/// over the other. With `refit`, of what is left of the difference when the wrong one has been fitted to the trial.
+/// Difference between the best models' predictions of the sensors: the mean over all pairs of half their squared
+/// difference in standard deviations of the noise, which one trial is expected to add to the log likelihood of the
+/// right one over the other. With `refit`, the difference that remains after the wrong one was fitted to the trial.
 ///
 /// Literature: W. G. Hunter and A. M. Reiner, Technometrics 7 (1965) 307-323; A. C. Atkinson and V. V. Fedorov,
 /// Biometrika 62 (1975) 57-70.
@@ -23,8 +23,8 @@ class ModelDisagreement : public TestFitness {
   std::string unit() const override { return "1"; }
   std::size_t models(std::span<const double> parameters) const override;
   bool wants_slopes(std::span<const double> parameters) const override;
-  /// Throws `Error` where there are less than two predictions, they differ in their shape, no noise is known, or slopes
-  /// are missing that a refit needs.
+  /// Throws `Error` where there are fewer than two predictions, they differ in their shape, the noise is unknown, or
+  /// slopes are missing that a refit needs.
   double score(const Test& test, std::span<const TestPrediction> predictions,
                std::span<const double> parameters) const override;
 };
@@ -33,7 +33,7 @@ namespace {
 
 enum Parameter : std::size_t { kModels, kNoise, kRefit };
 
-/// Of each channel: the one that the file gives for all, or what the predictions come with.
+/// For each channel: the value in the file for all, or that of the predictions.
 std::vector<double> noise_of(const TestPrediction& prediction, double for_all) {
   std::vector<double> noise = prediction.noise;
   if (for_all > 0.0) noise.assign(static_cast<std::size_t>(prediction.sensors.samples.cols()), for_all);

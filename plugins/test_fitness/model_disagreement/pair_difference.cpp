@@ -40,7 +40,7 @@ double PairDifference::left_by(const TestPrediction& wrong) const {
     const TimeSeries::Samples& slope = wrong.slopes[static_cast<std::size_t>(k)];
     if (slope.size() > 0) slopes.col(k) = in_deviations(slope);
   }
-  // Whichever is wrong, the sign of the difference changes nothing: min |d − S v|² + vᵀ K v.
+  // The sign of the difference, and so which model is wrong, does not matter: min |d − S v|² + vᵀ K v.
   const Eigen::VectorXd pull = slopes.transpose() * difference_;
   const Eigen::MatrixXd stiffness = slopes.transpose() * slopes + known;
   return difference_.squaredNorm() - pull.dot(stiffness.ldlt().solve(pull));

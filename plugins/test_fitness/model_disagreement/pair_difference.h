@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// The difference between the readings of two models of one test, in deviations of the noise.
+/// The difference between the readings of two models in one test, in standard deviations of the noise.
 class PairDifference {
  public:
   /// `noise`: standard deviation of a reading of each channel, in its unit. Throws `Error` where the predictions differ
@@ -15,8 +15,8 @@ class PairDifference {
 
   /// Sum of its squares.
   double squared() const { return difference_.squaredNorm(); }
-  /// The same after the one that is wrong has changed its values to meet the other's readings, as far as what is known
-  /// of these values allows, to first order; the mean over who is wrong. Throws `Error` without slopes.
+  /// The same after the wrong model has changed its values to match the other's readings, as far as the information on
+  /// these values allows, to first order; the mean over which one is wrong. Throws `Error` without slopes.
   double squared_after_refit() const { return 0.5 * (left_by(one_) + left_by(other_)); }
 
  private:

@@ -3,7 +3,7 @@
 
 namespace lacuna {
 
-/// All tests are worth the same, so that exploration ends with the first test it drew at random. Needs no model.
+/// All tests are equal, so exploration ends with its first random test. Needs no model.
 class Random : public TestFitness {
  public:
   std::string summary() const override;
