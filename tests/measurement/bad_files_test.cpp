@@ -71,7 +71,7 @@ std::vector<BadFile> refused_files() {
       {"gap", "t,q,u\n0,1,2\n0.1,1,2\n0.2,1,2\n9,1,2\n9.1,1,2\n", "run.csv:5: a gap of 8.8 s before this sample", ""},
       {"short_row", "t,q,u\n0,1,2\n0.1,1\n0.2,1,2\n",
        "run.csv:3: 2 cells, but the header (line 1) has 3 names; complete the row", ""},
-      {"long_row", "t,q,u\n0,1,2\n0.1,1,2,7\n0.2,1,2\n", "run.csv:3: 4 cells where the header", ""},
+      {"long_row", "t,q,u\n0,1,2\n0.1,1,2,7\n0.2,1,2\n", "run.csv:3: 4 cells, but the header", ""},
       {"decimal_commas_between_commas", "t,q,u\n0,0,1,0,2,0\n0,1,1,5,2,5\n", "must be separated by semicolons or tabs",
        ""},
       {"thousands_separators", "t;q;u\n0,0;1.234,5;2\n0,1;1.234,5;2\n", "run.csv:2: column `q` has `1.234,5`", ""},
@@ -242,7 +242,7 @@ TEST_F(OddFiles, FolderAndMissingAndUnreadableFilesAreNamed) {
   EXPECT_THAT(complaint_of(pendulum_source(folder_.path() / "runs")), testing::HasSubstr("runs: is a folder"));
   EXPECT_THAT(complaint_of(pendulum_source(folder_.path() / "none.csv")),
               testing::HasSubstr("none.csv: there is no such file"));
-  EXPECT_THAT(complaint_of(pendulum_source("/proc/self/mem")), testing::HasSubstr("mem: cannot be read to its end"));
+  EXPECT_THAT(complaint_of(pendulum_source("/proc/self/mem")), testing::HasSubstr("mem: cannot be read completely"));
   const std::filesystem::path locked = folder_.write("locked.csv", "t,q,u\n" + kSamples);
   std::filesystem::permissions(locked, std::filesystem::perms::none);
   if (::geteuid() != 0) {  // root may read everything

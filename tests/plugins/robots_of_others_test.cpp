@@ -79,7 +79,7 @@ TEST(RobotsOfOthers, ArmOfSevenJointsInUrdf) {
   EXPECT_THAT(moving_joints(arm.robot), ElementsAre("_j1", "_j2", "_j3", "_j4", "_j5", "_j6", "_j7"));
   EXPECT_NEAR(mass_of(arm.robot), 19.455456, 1e-6);
   EXPECT_THAT(remarks(arm, RobotRemarkKind::repaired), Contains(HasSubstr("/j1")));
-  EXPECT_THAT(remarks(arm, RobotRemarkKind::guessed), ElementsAre(HasSubstr("held to the world")));
+  EXPECT_THAT(remarks(arm, RobotRemarkKind::guessed), ElementsAre(HasSubstr("fixed to the world")));
 }
 
 TEST(RobotsOfOthers, BodyOnFourLegsInMjcf) {
