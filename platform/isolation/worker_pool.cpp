@@ -16,7 +16,7 @@ std::string sentence_of(const LostWork& lost) {
         "models need more time, raise --evaluation-limit; otherwise please report the command",
         kMostLost, lost.deed);
   return fmt::format(
-      "{} has ended {} worker processes, the last one so: {}. Repair the plugin or leave this component out",
+      "{} has ended {} worker processes, the last one so: {}; repair the plugin or leave this component out",
       lost.component, kMostLost, lost.deed);
 }
 

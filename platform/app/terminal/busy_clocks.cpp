@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 11> kShortCalls = {"describe",
                                                           "reset",
                                                           "state_size",
                                                           "lacuna_plugin",
-                                                          "what it does when it is loaded"};
+                                                          "its code that runs on loading"};
 
 /// How long a call may take that is in no evaluation, s; 0: as long as it likes.
 double limit_of_call(const BusyThread& thread, const ActiveCall& call) {
