@@ -25,8 +25,8 @@ namespace {
 enum ExitCode { kDone = 0, kFailed = 1, kBadInput = 2, kInterrupted = 75 };
 
 constexpr const char* kNoShapes =
-    "do not say how far parts are from the target's; give the experiment a simulated target and "
-    "estimation.objective = \"part_distance\"";
+    "have no distance of parts from the target's; give the experiment a simulated target and estimation.objective = "
+    "\"part_distance\"";
 
 struct ShapesOptions {
   std::filesystem::path database;
@@ -66,8 +66,8 @@ NewestRuns newest_runs(const Database& database, const std::vector<EeaRunListing
 
 void say_unfinished(const std::string& experiment, std::size_t unfinished) {
   if (unfinished == 0) return;
-  fmt::print(stderr, "{}: {} left out, not ended; lacuna run FILE --resume goes on with what was interrupted\n",
-             experiment, counted(unfinished, "run"));
+  fmt::print(stderr, "{}: {} left out, not ended; to continue interrupted runs: lacuna run FILE --resume\n", experiment,
+             counted(unfinished, "run"));
 }
 
 /// Experiments that do not speak of shapes are passed over, but one that was asked for is not.
@@ -89,8 +89,7 @@ std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& op
   }
   if (studies.empty() && some_ended)
     throw_problem({options.database.string()}, fmt::format("the runs of all of its experiments {}", kNoShapes));
-  if (studies.empty())
-    throw_problem({options.database.string()}, "has no run that has ended; lacuna run FILE makes one");
+  if (studies.empty()) throw_problem({options.database.string()}, "has no finished run; make one: lacuna run FILE");
   return studies;
 }
 
@@ -107,7 +106,7 @@ void shapes(const ShapesOptions& options) {
   write_svg(shape_progress(studies), progress);
   std::vector<RobotRow> rows;
   for (const ShapeStudy& study : studies) rows.push_back({study.experiment, study.samples});
-  write_robots_svg("Models of a typical run each, as they start", rows, models);
+  write_robots_svg("Models of a typical run of each experiment, in their start position", rows, models);
   for (const std::filesystem::path& file : {errors, progress, models}) fmt::print("{}\n", file.string());
 }
 
@@ -115,10 +114,11 @@ void add_options(CLI::App& program, ShapesOptions& options) {
   add_database_argument(program, options.database);
   program
       .add_option("--experiment", options.experiments,
-                  "Experiments to put side by side (default: all of the database); may be given several times")
+                  "Experiment to show (default: all in the database); may be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME");
-  program.add_option("--out", options.folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
+  program.add_option("--out", options.folder, "Folder for the pictures (default: the current folder)")
+      ->option_text("FOLDER");
   program.add_option("--plugin-path", options.plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)
       ->option_text("FOLDER");
@@ -131,7 +131,7 @@ int told(const std::exception& error, int code) {
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App program("Table and SVG pictures of what runs found of a robot's shape", "lacuna-shapes");
+  CLI::App program("Compare the robot shapes that runs found with the target's: a table and SVG pictures", "lacuna-shapes");
   ShapesOptions options;
   add_options(program, options);
   watch_for_interrupts();

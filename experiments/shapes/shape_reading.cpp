@@ -46,7 +46,7 @@ class ShapeReading {
     for (const ObjectiveScore& score :
          metric->score(definition_.model_space, model, {unknown, target()}, metric.parameters))
       if (score.name == kPartDistance) return score.value;
-    throw Error(std::string("the objective metric part_distance says nothing of ") + kPartDistance);
+    throw Error(std::string("the objective metric part_distance has no value of ") + kPartDistance);
   }
 
   RobotSpec robot_of(const Genome& genome) const {

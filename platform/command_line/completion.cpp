@@ -51,7 +51,7 @@ std::string completion_script(const std::string& shell, const std::vector<Comman
   if (shell == "bash") return bash_completion(tree);
   if (shell == "fish") return fish_completion(tree);
   if (shell == "zsh") return zsh_completion(tree);
-  throw_problem({}, fmt::format("completion: there is none for \"{}\"{}; there are those for {}", shell,
+  throw_problem({}, fmt::format("completion: there is no script for \"{}\"{}; there are scripts for {}", shell,
                                 did_you_mean(shell, completed_shells()), fmt::join(completed_shells(), ", ")));
 }
 

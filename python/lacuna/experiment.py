@@ -112,7 +112,7 @@ class Experiment(ExperimentCommands):
         robot : path, optional
             Robot file that is there already (TOML, URDF, MJCF).
         time : str, optional
-            Column that is the time, instead of a guess.
+            Column of time (default: guessed).
         position, velocity, command : str or sequence of str, optional
             Columns that are joint positions, joint velocities, commands, instead of guesses.
         program, **settings : optional
@@ -330,7 +330,7 @@ class Experiment(ExperimentCommands):
         setup : str, optional
             Setup of the recordings, or ``none``. Default: the first recording's.
         holdout : bool, optional
-            Keep the trial from every fit.
+            Hold the trial out: no fit reads it.
         progress : callable, optional
             Called with a `Progress`.
         """

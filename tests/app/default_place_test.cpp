@@ -29,7 +29,7 @@ TEST(QuestionOfPlace, HasTheLineToType) {
   EXPECT_EQ(question_of_place("coulomb_friction", {ElementKind::joint}, {"joint.rail", "joint.hinge"}),
             "say where: --where joint.rail or --where joint.hinge (coulomb_friction acts on joints)");
   EXPECT_EQ(question_of_place("sensor_lag", {ElementKind::sensor}, {}),
-            "sensor_lag acts on sensors, and the robot has none");
+            "sensor_lag acts on sensors, which this robot does not have");
 }
 
 }  // namespace

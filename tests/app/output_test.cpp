@@ -50,8 +50,8 @@ TEST_F(OutputTest, IsNoInputThatIsNotThereYet) {
   const std::string whole = (folder_ / "new.db").string();
   for (const std::string& name : {std::string("new.db"), std::string("./new.db"), std::string("sub/../new.db"),
                                   std::string("dangling.db"), whole}) {
-    EXPECT_THAT(sentence(name, "new.db"), HasSubstr("give the results another file")) << name;
-    EXPECT_THAT(sentence("new.db", name), HasSubstr("give the results another file")) << name;
+    EXPECT_THAT(sentence(name, "new.db"), HasSubstr("choose another file for the results")) << name;
+    EXPECT_THAT(sentence("new.db", name), HasSubstr("choose another file for the results")) << name;
   }
   EXPECT_EQ(sentence("other.db", "new.db"), "");
 }

@@ -104,7 +104,7 @@ TEST(RunSupervised, AnEndThatIsNoReturnIsAFailure) {
     const Supervisor supervisor(work);
     EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
     EXPECT_THAT(supervisor.errors(),
-                HasSubstr("ended with exit code 0 before its work was done, in no call of a plugin"));
+                HasSubstr("ended with exit code 0 before its work was done, outside of plugin calls"));
   }
 }
 
@@ -217,7 +217,7 @@ TEST(RunSupervised, ACallThatOnlyTellsAndTakesTooLongIsEndedAndNamed) {
   const Supervisor supervisor(describe_without_end);
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
   EXPECT_THAT(supervisor.errors(),
-              AllOf(HasSubstr("effect \"endless\": describe took longer than 10 s, the limit"), HasSubstr("is kept")));
+              AllOf(HasSubstr("effect \"endless\": describe took longer than the limit, 10 s"), HasSubstr("is kept")));
 }
 
 int many_calls(int, char**) {
@@ -256,7 +256,8 @@ int never_end(int, char**) {
 TEST(RunSupervised, AnEndThatDoesNotComeIsForced) {
   const Supervisor supervisor(never_end);
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
-  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("did not end for 10 s"), HasSubstr("which is complete")));
+  EXPECT_THAT(supervisor.errors(),
+              AllOf(HasSubstr("did not end within 10 s"), HasSubstr("after its work was complete")));
 }
 
 int call_that_heeds_nothing(int, char**) {
@@ -311,7 +312,7 @@ TEST(RunSupervised, WorkThatAllowsItBeginsAnewWithoutWhatEndedIt) {
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 42);
   EXPECT_THAT(supervisor.errors(),
               AllOf(HasSubstr("effect \"one\": add_loads ended the program by signal 6"), HasSubstr("effect \"two\""),
-                    HasSubstr("the command begins again without it"), Not(HasSubstr("fault of"))));
+                    HasSubstr("the command starts again without it"), Not(HasSubstr("fault of"))));
 }
 
 TEST(RunSupervised, WhatALostChildHasLeftRunningIsEnded) {

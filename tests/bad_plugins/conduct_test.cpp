@@ -27,7 +27,7 @@ class IllBehavedEffect : public testing::Test {
   void expect_refusal(const std::string& name, const std::string& words) const {
     EXPECT_THAT([&] { catalog_.get<PhysicalEffect>(name); },
                 ThrowsMessage<Error>(AllOf(HasSubstr("effect \"" + name + "\""), HasSubstr("ill_behaved.so"),
-                                           HasSubstr(words), HasSubstr("that is a fault of the plugin"))));
+                                           HasSubstr(words), HasSubstr("this is a fault of the plugin"))));
   }
 
   BadFolder folder_{"ill_behaved"};

@@ -94,7 +94,7 @@ const std::vector<std::pair<std::string, std::string>> kDeeds = {
     {"segfault", "add_loads ended the program by signal 11"},
     {"stack", "add_loads ended the program by signal 11"},
     {"thread", "add_loads ended the program by signal 6"},
-    {"hang", "add_loads: an evaluation took longer than 1 s, the limit"},
+    {"hang", "add_loads: an evaluation took longer than the limit, 1 s"},
     {"throw", "add_loads threw an object of type"},
     {"hog", "add_loads ran out of memory"},
 };
@@ -141,7 +141,7 @@ TEST_F(HostileEffectInARun, EndsTheRunWhereItHasEndedThreeWorkers) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.errors,
               AllOf(HasSubstr("effect \"hostile\""), HasSubstr("has ended 3 worker processes"),
-                    HasSubstr("by signal 11"), HasSubstr("--resume --accept-plugin hostile goes on from here")));
+                    HasSubstr("by signal 11"), HasSubstr("--resume --accept-plugin hostile continues from here")));
   const Outcome mended = run("", "--resume");
   EXPECT_EQ(mended.exit_code, 0) << mended.errors;
 }
@@ -158,10 +158,10 @@ TEST_F(HostileEffectInARun, GoesOnWithTheMendedPluginByTheLineThatWasPrinted) {
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("was begun with another build of " + plugin.string()),
                                     HasSubstr("--accept-plugin hostile: the rows so far stay those of the old one")));
   std::smatch line;
-  ASSERT_TRUE(std::regex_search(broken.errors, line, std::regex("mended, (lacuna .*) goes on from here")));
+  ASSERT_TRUE(std::regex_search(broken.errors, line, std::regex("then (lacuna .*) continues from here")));
   const Outcome mended = program_.shell(line[1].str());
   EXPECT_EQ(mended.exit_code, 0) << mended.errors;
-  EXPECT_THAT(mended.errors, HasSubstr("goes on with another build of " + plugin.string()));
+  EXPECT_THAT(mended.errors, HasSubstr("continues with another build of " + plugin.string()));
   EXPECT_EQ(program_.run({"verify", "small.db"}).exit_code, 0);
   EXPECT_THAT(program_
                   .run({"sql", "small.db", "--csv",
@@ -237,7 +237,7 @@ TEST_F(HostilePlugin, ThatThrowsInADiagnosisIsToldAsFailedNotAsUntestable) {
       lacuna("add_loads throw", "diagnose first-steps.toml --among hostile --among coulomb_friction --quiet");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("plugin failed: hostile @ "), HasSubstr("add_loads threw an object of"),
-                                    HasSubstr("that is a fault of the plugin"), Not(HasSubstr("not testable"))));
+                                    HasSubstr("this is a fault of the plugin"), Not(HasSubstr("not testable"))));
 }
 
 TEST_F(HostilePlugin, ThatHangsEndsWithTheFirstWish) {
@@ -266,7 +266,7 @@ TEST_F(HostilePlugin, ThatEndsItsDescriptionIsListedAndTheOthersWork) {
 TEST_F(HostilePlugin, WhoseDescriptionHangsIsListedAfterTheTimeLimit) {
   const Outcome list = lacuna("describe hang", "plugins list");
   EXPECT_EQ(list.exit_code, 0);
-  EXPECT_THAT(list.output, HasSubstr("hostile.so): describe took longer than 10 s; that is a fault of the plugin"));
+  EXPECT_THAT(list.output, HasSubstr("hostile.so): describe took longer than 10 s; this is a fault of the plugin"));
 }
 
 }  // namespace

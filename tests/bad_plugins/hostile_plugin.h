@@ -35,7 +35,7 @@ class HostilePlugin : public testing::Test {
   std::string file() const { return (folder_.path() / "hostile.so").string(); }
   auto names(const std::string& component, const std::string& what) const {
     return testing::AllOf(testing::HasSubstr(component + " (" + file() + "): " + what),
-                          testing::HasSubstr("that is a fault of the plugin"));
+                          testing::HasSubstr("this is a fault of the plugin"));
   }
 
   BadFolder folder_{"hostile"};

@@ -37,10 +37,10 @@ TEST(Diagnose, InterruptedGoesOnToTheSameAnswer) {
   const Outcome first = parts.run_and_signal(
       kDiagnose, [&] { return unfinished(parts).find("\n1") != std::string::npos; }, SIGINT);
   ASSERT_EQ(first.exit_code, 75) << "it ended before it was interrupted";
-  EXPECT_THAT(first.errors, HasSubstr("run the same command again to go on"));
+  EXPECT_THAT(first.errors, HasSubstr("to continue, run the same command again"));
   const Outcome second = parts.run(kDiagnose);
   EXPECT_EQ(second.exit_code, 0);
-  EXPECT_THAT(second.errors, HasSubstr("going on after 1 model"));
+  EXPECT_THAT(second.errors, HasSubstr("continuing: 1 model known from an earlier call"));
   EXPECT_EQ(found(parts), found(whole));
   EXPECT_THAT(unfinished(parts), HasSubstr("\n0"));
 }
@@ -116,7 +116,7 @@ TEST(Diagnose, AddTakesTheAnswer) {
   EXPECT_THAT(both.errors, HasSubstr("write no effect beside it"));
   const Outcome added = program.run({"add", "lifting-servo.toml", "--answer"});
   ASSERT_EQ(added.exit_code, 0) << added.errors;
-  EXPECT_THAT(added.output, HasSubstr("load_friction starts where the diagnosis left it"));
+  EXPECT_THAT(added.output, HasSubstr("load_friction starts at the values that the diagnosis found"));
   EXPECT_THAT(program.read("lifting-servo.toml"), HasSubstr("effect = \"load_friction\""));
   EXPECT_EQ(program.run({"check", "lifting-servo.toml"}).exit_code, 0);
 }

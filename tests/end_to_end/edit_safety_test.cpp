@@ -39,7 +39,7 @@ TEST(Add, InterruptedInItsRefitLeavesTheFileAsItWas) {
   const Outcome outcome = program.run_and_signal(
       kAddFriction, [&] { return refits(program); }, SIGINT);
   EXPECT_EQ(outcome.exit_code, 75) << outcome.output;
-  EXPECT_THAT(outcome.errors, HasSubstr("first-steps.toml is as it was"));
+  EXPECT_THAT(outcome.errors, HasSubstr("first-steps.toml is unchanged"));
   expect_untouched(program, as_written);
   EXPECT_THAT(program.run({"history", "first-steps.toml"}).output, Not(HasSubstr("coulomb_friction")));
 }
@@ -128,7 +128,7 @@ void expect_refused(const Program& program, const std::vector<std::string>& comm
   const std::string before = program.read(victim);
   const Outcome outcome = program.run(command);
   EXPECT_EQ(outcome.exit_code, 2) << command.back();
-  EXPECT_THAT(outcome.errors, HasSubstr("give the results another file")) << command.back();
+  EXPECT_THAT(outcome.errors, HasSubstr("choose another file for the results")) << command.back();
   EXPECT_EQ(program.read(victim), before) << command.back();
 }
 
@@ -168,7 +168,7 @@ TEST(Outputs, AreNotADatabaseThatIsYetToBeMade) {
   for (const std::string output : {"./new.db", "data/../new.db", "new.db-wal", "new.db-shm"}) {
     const Outcome outcome = program.run({"compare", "first-steps.toml", "--db", "new.db", "--json=" + output});
     EXPECT_EQ(outcome.exit_code, 2) << output;
-    EXPECT_THAT(outcome.errors, HasSubstr("give the results another file")) << output;
+    EXPECT_THAT(outcome.errors, HasSubstr("choose another file for the results")) << output;
     EXPECT_FALSE(std::filesystem::exists(program.folder() / "new.db")) << output;
   }
 }

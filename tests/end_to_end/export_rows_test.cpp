@@ -150,10 +150,11 @@ TEST_F(ExportedRows, AreOfADatabase) {
   program_.write("notes.txt", "no database, and longer than the head of one would have to be, to be sure of it\n");
   EXPECT_THAT(refused({"export", "notes.txt", "runs", "--csv"}), HasSubstr("notes.txt"));
   EXPECT_THAT(refused({"export", "missing.db", "runs", "--csv"}), HasSubstr("missing.db"));
-  EXPECT_THAT(refused({"export", "first-steps.toml", "runs", "--csv"}),
-              HasSubstr("is an experiment file, and a database is wanted: lacuna export first-steps.db runs --csv"));
+  EXPECT_THAT(
+      refused({"export", "first-steps.toml", "runs", "--csv"}),
+      HasSubstr("is an experiment file, but this command needs a database: lacuna export first-steps.db runs --csv"));
   EXPECT_THAT(refused({"export", "first-steps.db", "--urdf", "arm.urdf"}),
-              HasSubstr("is a database, and an experiment file is wanted: lacuna export first-steps.toml"));
+              HasSubstr("is a database, but this command needs an experiment file: lacuna export first-steps.toml"));
   EXPECT_FALSE(is_there("arm.urdf"));
 }
 

@@ -91,8 +91,8 @@ TEST(Loop, AWrongValueIsFreedAndUndoFixesIt) {
     return refused.errors;
   };
   EXPECT_THAT(refusal("joint.hinge.damping", "damping=0.1"), HasSubstr("joint.hinge.damping is fitted already"));
-  EXPECT_THAT(refusal("joint.hinge.armature", "inertia=0.1"), HasSubstr("the value is called armature"));
-  EXPECT_THAT(refusal("joint.hinge.armature", "armature=9"), HasSubstr("begin between 0 and 0.05"));
+  EXPECT_THAT(refusal("joint.hinge.armature", "inertia=0.1"), HasSubstr("the value is armature"));
+  EXPECT_THAT(refusal("joint.hinge.armature", "armature=9"), HasSubstr("choose a start between 0 and 0.05"));
   EXPECT_EQ(program.read("first-steps.toml"), text);
 }
 
@@ -102,13 +102,13 @@ TEST(Loop, AnAddedEffectStartsWhereTheDiagnosisLeftItUnlessAStartIsTyped) {
   ASSERT_EQ(program.run({"diagnose", "first-steps.toml", "--among", "coulomb_friction"}).exit_code, 0);
   const Outcome add = program.run({"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge"});
   ASSERT_EQ(add.exit_code, 0) << add.errors;
-  EXPECT_THAT(add.output, HasSubstr("coulomb_friction starts where the diagnosis left it"));
+  EXPECT_THAT(add.output, HasSubstr("coulomb_friction starts at the values that the diagnosis found"));
   EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("start = { torque = 0.02"));
 
   ASSERT_EQ(program.run({"undo", "first-steps.toml"}).exit_code, 0);
   const Outcome typed = program.run({"add", "first-steps.toml", "coulomb_friction", "--start", "torque=0.01"});
   ASSERT_EQ(typed.exit_code, 0) << typed.errors;
-  EXPECT_THAT(typed.output, HasSubstr("coulomb_friction is placed on joint.hinge, the only place possible\n"));
+  EXPECT_THAT(typed.output, HasSubstr("coulomb_friction is placed on joint.hinge, the only possible place\n"));
   EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("where = \"joint.hinge\""));
   EXPECT_THAT(typed.output, testing::Not(HasSubstr("where the diagnosis left it")));
   EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("start = { torque = 0.01 }"));

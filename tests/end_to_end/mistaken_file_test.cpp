@@ -26,20 +26,22 @@ TEST_F(MistakenFile, ADatabaseInPlaceOfItsExperimentIsToldWithTheLineToType) {
   for (const char* command : {"compare", "check", "history", "run"}) {
     const Outcome outcome = program_.run({command, "first-steps.db", "--quiet"});
     EXPECT_EQ(outcome.exit_code, kBadInput) << command;
-    EXPECT_THAT(outcome.errors, HasSubstr("first-steps.db: is a database, and an experiment file is wanted: lacuna " +
-                                          std::string(command) + " first-steps.toml --quiet"));
+    EXPECT_THAT(outcome.errors,
+                HasSubstr("first-steps.db: is a database, but this command needs an experiment file: lacuna " +
+                          std::string(command) + " first-steps.toml --quiet"));
   }
 }
 
 TEST_F(MistakenFile, AnExperimentInPlaceOfItsDatabaseIsToldWithTheLineToType) {
   const Outcome none = program_.run({"runs", "first-steps.toml"});
   EXPECT_EQ(none.exit_code, kBadInput);
-  EXPECT_THAT(none.errors, HasSubstr("first-steps.toml: is an experiment file, and a database is wanted: lacuna runs "
-                                     "first-steps.db; this folder has none yet, lacuna compare first-steps.toml"));
+  EXPECT_THAT(none.errors,
+              HasSubstr("first-steps.toml: is an experiment file, but this command needs a database: lacuna runs "
+                        "first-steps.db; it does not exist yet, make it with lacuna compare first-steps.toml"));
   ASSERT_EQ(program_.run({"compare", "first-steps.toml"}).exit_code, kDone);
   const Outcome there = program_.run({"sql", "first-steps.toml", "SELECT 1"});
   EXPECT_EQ(there.exit_code, kBadInput);
-  EXPECT_THAT(there.errors, AllOf(HasSubstr("lacuna sql first-steps.db 'SELECT 1'"), Not(HasSubstr("none yet"))));
+  EXPECT_THAT(there.errors, AllOf(HasSubstr("lacuna sql first-steps.db 'SELECT 1'"), Not(HasSubstr("not exist yet"))));
 }
 
 /// A copy whose name was not changed writes into the database of its original.

@@ -201,7 +201,7 @@ TEST_F(OutsideRig, ThatFailsAgainAndAgainEndsARunThatCanBeResumed) {
   EXPECT_THAT(failed.errors,
               AllOf(HasSubstr("trial 0 failed with 5 tests, each tried 3 times; the last error: "),
                     HasSubstr("test 0 is given up; random test 1 takes its place"),
-                    HasSubstr("nothing is lost; once that is mended, "), HasSubstr("--resume goes on from here")));
+                    HasSubstr("nothing is lost; correct the cause, then "), HasSubstr("--resume continues from here")));
   EXPECT_EQ(sql("SELECT count(*) FROM failed_trials"), "15");
   const Outcome other = program_.run({"run", "rig.toml", "--resume", "--set", "target.version=\"2\""});
   EXPECT_EQ(other.exit_code, 2);
@@ -251,7 +251,7 @@ TEST_F(OutsideRig, ThatADatabaseNamesIsStartedOnlyWhereTheUserTrustsIt) {
   }
   const Outcome trusted = program_.run({"reproduce", "rig.db", "--trust"});
   EXPECT_EQ(trusted.exit_code, 0) << trusted.errors;
-  EXPECT_THAT(trusted.errors, HasSubstr("starts the program that the database names: "));
+  EXPECT_THAT(trusted.errors, HasSubstr("starting the program that the database names: "));
   EXPECT_TRUE(is_there("pid"));
   EXPECT_EQ(std::count(asked.errors.begin(), asked.errors.end(), '\n'), 1) << "one line: " << asked.errors;
 }

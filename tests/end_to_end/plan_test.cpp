@@ -119,7 +119,7 @@ TEST_F(Plan, WhatAProcessHasFoundThatWasKilledIsACheckpoint) {
   EXPECT_EQ(hung_up.output, "") << "no folder is left";
   const Outcome killed = kill("KILL", 500'000);
   EXPECT_EQ(killed.exit_code, 1) << killed.errors;
-  EXPECT_THAT(killed.errors, HasSubstr("what task 0 has found until then is its checkpoint; to continue: "
+  EXPECT_THAT(killed.errors, HasSubstr("task 0 has a checkpoint with its results so far; to continue: "
                                        "lacuna task run plan 0"));
   EXPECT_EQ(killed.output, "");
   EXPECT_THAT(lacuna("status plan"), AllOf(HasSubstr("task 0 failed ("), HasSubstr("was ended by signal 9 (Killed)")));
@@ -136,9 +136,9 @@ TEST_F(Plan, WhatAKilledProcessCannotHandInIsKeptAndNamed) {
       "TMPDIR=$PWD lacuna task run plan 0 --threads 1 --quiet & until [ -s lacuna-scratch-*/shard.db-wal ]; do kill -0 "
       "$! || exit 3; sleep 0.01; done; rmdir plan/shards; ln -s shards plan/shards; pkill -KILL -P $!; wait $!");
   EXPECT_EQ(killed.exit_code, 1) << killed.errors;
-  EXPECT_THAT(killed.errors, HasSubstr("what was found until then is in "));
-  EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("shard.db: sound"));
-  const std::string advice = killed.errors.substr(killed.errors.find("after: cp ") + 7);
+  EXPECT_THAT(killed.errors, HasSubstr("the results so far are in "));
+  EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("shard.db: intact"));
+  const std::string advice = killed.errors.substr(killed.errors.find("run: cp ") + 5);
   program_.shell("rm plan/shards; mkdir plan/shards; " + advice);
   EXPECT_EQ(program_.shell("ls plan/checkpoints").output, "0.db\n") << advice;
   lacuna("task run plan 0 --quiet");
@@ -151,7 +151,7 @@ TEST_F(Plan, ACheckpointThatCannotBeUsedIsPutAside) {
   const Outcome anew = program_.shell("lacuna task run plan 0 --quiet");
   EXPECT_EQ(anew.exit_code, 0);
   EXPECT_THAT(anew.errors, AllOf(HasSubstr("plan/checkpoints/0.db: is not a database"),
-                                 HasSubstr("it is kept as plan/checkpoints/0.db.unusable, and the task begins anew")));
+                                 HasSubstr("it is kept as plan/checkpoints/0.db.unusable, and the task starts again")));
   program_.shell("cp plan/shards/0.db plan/checkpoints/1.db");
   EXPECT_THAT(program_.shell("lacuna task run plan 1 --quiet").errors,
               HasSubstr("plan/checkpoints/1.db: holds other results than those of the task"));
@@ -167,7 +167,7 @@ TEST_F(Plan, AFullFolderLosesNothing) {
   if (full.output.find("no mount") != std::string::npos || full.errors.find("unshare") != std::string::npos)
     GTEST_SKIP() << "a file system of its own cannot be mounted here; it takes root";
   EXPECT_THAT(full.errors, AllOf(HasSubstr("full/plan/shards/0.db: cannot grow: the disk or the quota is full"),
-                                 HasSubstr("what was found until then is in ")));
+                                 HasSubstr("the results so far are in ")));
   EXPECT_THAT(full.output,
               AllOf(HasSubstr("\n1\nfull/plan/checkpoints:\n\nfull/plan/shards:\n"), HasSubstr("task 0 failed (")));
   EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("1 run as stored"));
@@ -193,14 +193,13 @@ TEST_F(Plan, LeavesOutShardsThatAreNotOfTheirTasks) {
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_THAT(merge.output, HasSubstr("all.db: 1 run added"));
   EXPECT_EQ(program_.shell("ls | grep all.db-").output, "") << "no log is left";
-  EXPECT_THAT(merge.errors,
-              AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; move it away, and "
-                              "`lacuna task run plan 2` makes it anew"),
-                    HasSubstr("plan/shards/0.db: is damaged"), HasSubstr("1 of 3 tasks are merged")));
+  EXPECT_THAT(merge.errors, AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; move it "
+                                            "away and carry the task out again: lacuna task run plan 2"),
+                                  HasSubstr("plan/shards/0.db: is damaged"), HasSubstr("1 of 3 tasks are merged")));
   program_.shell("sqlite3 plan/shards/1.db 'UPDATE model SET score = score * 2 + 1'");
   const Outcome nothing = program_.shell("lacuna merge new.db plan");
-  EXPECT_THAT(nothing.errors, HasSubstr("plan/shards/1.db: does not hold what was stored in it; move it away, and "
-                                        "`lacuna task run plan 1` makes it anew"));
+  EXPECT_THAT(nothing.errors, HasSubstr("plan/shards/1.db: rows differ from what was stored; move it away and carry "
+                                        "the task out again: lacuna task run plan 1"));
   EXPECT_THAT(nothing.errors, HasSubstr("0 of 3 tasks are merged"));
   EXPECT_EQ(program_.shell("ls new.db").exit_code, 2) << "nothing was made";
   EXPECT_EQ(program_.shell("lacuna merge all.db plan plan/shards/1.db").exit_code, 2) << "named for itself";

@@ -55,10 +55,10 @@ TEST(PluginsNew, RefusesWhatCannotBeANameWithASentence) {
   const std::map<std::string, std::string> sentences = {
       {"metric Water-Drag", "\"Water-Drag\" is no name of a plugin; write small letters, digits and _"},
       {"metric 2nd", "is no name of a plugin"},
-      {"robot " + std::string(101, 'a'), "the name has 101 letters; 100 are the most"},
+      {"robot " + std::string(101, 'a'), "the name has 101 letters; at most 100 are allowed"},
       {"search test", "test is a target of every CMake project"},
       {"search all_plugins", "or of Lacuna's; choose another name"},
-      {"metric mean_absolute_difference", "metric mean_absolute_difference is there already, in "},
+      {"metric mean_absolute_difference", "metric mean_absolute_difference already exists in "},
       {"recording-format csv", "files that end with .csv are read by Lacuna itself"},
       {"robot-format toml", "files that end with .toml are read by Lacuna itself"}};
   const Program program;

@@ -82,7 +82,7 @@ TEST_F(Resume, GoesOnWithTheRunsOfTheSameSettingsAndLeavesTheOthers) {
   EXPECT_THAT(finished.output, HasSubstr("small is finished: run 1 in small.db is done"));
   const Outcome none = program_.run({"run", "small.toml", "--set", "target.hidden_seed=4", "--resume"});
   EXPECT_EQ(none.exit_code, kBadInput);
-  EXPECT_THAT(none.errors, AllOf(HasSubstr("run 1 is done, but was begun with no --set"),
+  EXPECT_THAT(none.errors, AllOf(HasSubstr("run 1 is done, but it was begun with no --set"),
                                  HasSubstr("run 2 was begun with --set target.hidden_seed=3"),
                                  HasSubstr("has no run of small to go on with")));
   EXPECT_EQ(program_.run({"run", "small.toml", "--set", "target.hidden_seed=3", "--resume"}).exit_code, kDone);
@@ -265,7 +265,7 @@ TEST_F(Resume, LeavesARunThatAnotherProcessCarriesOut) {
       },
       SIGINT);
   EXPECT_EQ(second.exit_code, kBadInput);
-  EXPECT_THAT(second.output, HasSubstr("run 1 is being carried out by another process"));
+  EXPECT_THAT(second.output, HasSubstr("another process is carrying out run 1"));
   EXPECT_EQ(outcome.exit_code, kInterrupted) << "the first goes on undisturbed: " << outcome.errors;
 }
 
@@ -293,7 +293,7 @@ TEST_F(Resume, WaitsForASignOfLifeFromAnotherMachine) {
       foreign + "(sleep 8; sqlite3 small.db 'UPDATE claim SET beat = 1') & lacuna run small.toml --resume");
   EXPECT_EQ(alive.exit_code, kBadInput);
   EXPECT_THAT(alive.errors, AllOf(HasSubstr("has begun to carry a run out; waiting 15 s"),
-                                  HasSubstr("run 1 is being carried out by another process")));
+                                  HasSubstr("another process is carrying out run 1")));
   const Outcome gone = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(gone.exit_code, kDone) << gone.errors;
 }
@@ -362,13 +362,13 @@ TEST_F(Resume, RefusesARobotFileThatHasChanged) {
   program_.write("arm.toml", std::string(kArmRobot) + "# another\n");
   const Outcome changed = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(changed.exit_code, kBadInput);
-  EXPECT_THAT(changed.errors, HasSubstr("run 1 was begun with another text of arm.toml"));
+  EXPECT_THAT(changed.errors, HasSubstr("run 1 was begun with another version of arm.toml"));
   program_.write("arm.toml", kArmRobot);
   ASSERT_EQ(program_.run({"run", "small.toml", "--resume"}).exit_code, kDone);
 
   program_.write("arm.toml", std::string(kArmRobot) + "# another\n");
-  EXPECT_THAT(program_.run({"reproduce", "small.db", "--quiet"}).errors, HasSubstr("another text of arm.toml"));
-  EXPECT_THAT(program_.run({"replay", "small.db"}).errors, HasSubstr("another text of arm.toml"));
+  EXPECT_THAT(program_.run({"reproduce", "small.db", "--quiet"}).errors, HasSubstr("another version of arm.toml"));
+  EXPECT_THAT(program_.run({"replay", "small.db"}).errors, HasSubstr("another version of arm.toml"));
 }
 
 TEST_F(Resume, ReproducedElsewhereSaysWhichFolderIsMeant) {
@@ -399,7 +399,7 @@ TEST_F(Resume, TheCommandItNamesCanBeTypedAgain) {
       {"run", "small.toml", "--set", "model.free={\"body.*.mass\"=[1,7]}"},
       [&] { return program_.carries_out("small.db"); }, SIGINT);
   EXPECT_EQ(outcome.exit_code, kInterrupted);
-  EXPECT_THAT(outcome.errors, HasSubstr(quoted + " --resume goes on from here"));
+  EXPECT_THAT(outcome.errors, HasSubstr(quoted + " --resume continues from here"));
   EXPECT_EQ(program_.shell(quoted + " --resume").exit_code, kDone);
 }
 

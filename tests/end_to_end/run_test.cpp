@@ -137,7 +137,7 @@ TEST_F(Run, InWorkerProcessesGoesOnFromWhereItWasInterrupted) {
   const Outcome cut = program_.run_and_signal(
       {"run", "small.toml", "--isolate"}, [&] { return program_.carries_out("small.db"); }, SIGTERM);
   EXPECT_EQ(cut.exit_code, kInterrupted) << cut.errors;
-  EXPECT_THAT(cut.errors, HasSubstr("--resume goes on from here"));
+  EXPECT_THAT(cut.errors, HasSubstr("--resume continues from here"));
   const Outcome rest = program_.run({"run", "small.toml", "--resume", "--isolate", "--replicates", "1"});
   ASSERT_EQ(rest.exit_code, kDone) << rest.errors;
   EXPECT_EQ(hash("small.db"), hash("whole.db"));
@@ -184,7 +184,7 @@ TEST_F(Run, InterruptedGoesOnToTheSameRows) {
     const Outcome cut = program_.run_and_signal(
         {"run", "small.toml"}, [&] { return program_.carries_out("small.db"); }, signal);
     EXPECT_EQ(cut.exit_code, kInterrupted) << cut.errors;
-    EXPECT_THAT(cut.errors, HasSubstr("--resume goes on from here"));
+    EXPECT_THAT(cut.errors, HasSubstr("--resume continues from here"));
     const Outcome rest = program_.run({"run", "small.toml", "--resume"});
     ASSERT_EQ(rest.exit_code, kDone) << rest.errors;
     EXPECT_EQ(hash("small.db"), hash("whole.db"));
@@ -202,7 +202,7 @@ TEST_F(Run, ResumeOfAFinishedRunSucceedsAndSaysWhereItIs) {
   program_.write("small.toml", kSmallRun + "[fit]\nstarts = 3\n");
   const Outcome changed = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(changed.exit_code, kBadInput) << "what the file says now has not been run";
-  EXPECT_THAT(changed.errors, HasSubstr("run 1 is done, but was begun with another text of this experiment"));
+  EXPECT_THAT(changed.errors, HasSubstr("run 1 is done, but it was begun with another version of this experiment"));
 }
 
 TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
@@ -214,7 +214,7 @@ TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
   program_.write("small.toml", kSmallRun + "[fit]\nstarts = 3\n");
   const Outcome outcome = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(outcome.exit_code, kBadInput);
-  EXPECT_THAT(outcome.errors, HasSubstr("another text of this experiment"));
+  EXPECT_THAT(outcome.errors, HasSubstr("another version of this experiment"));
   program_.write("small.toml", kSmallRun + "# a word about it\n");
   EXPECT_EQ(program_.run({"run", "small.toml", "--resume"}).exit_code, kDone);
 }

@@ -124,7 +124,7 @@ TEST(TorqueDrivenArm, IsDraftedAndComparedOverASecond) {
   ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
   EXPECT_THAT(drafted.output, HasSubstr("sensor.wrist_3_position  rad    q_5 [rad]"));
   EXPECT_THAT(drafted.output, HasSubstr("actuator.wrist_3"));
-  EXPECT_THAT(drafted.output, Not(HasSubstr("no column fits")));
+  EXPECT_THAT(drafted.output, Not(HasSubstr("no column matches")));
   EXPECT_THAT(program.read("rig.toml"), Not(HasSubstr("\"FILL IN")));
 
   const Outcome checked = program.run({"check", "rig.toml"});

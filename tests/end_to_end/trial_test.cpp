@@ -140,7 +140,10 @@ TEST_F(TrialCommand, SetsTheRigUpAsARecordingSays) {
   EXPECT_THAT(unknown.errors,
               HasSubstr("there is no setup \"step\" (did you mean \"steps\"?); the recordings have sine "
                         "(body.arm.mass = 0.53 kg); steps (body.arm.mass = 0.56 kg)"));
-  expect_refused(kTest, "a target of kind = \"simulated\" has no setups", {"--setup", "steps"});
+  expect_refused(
+      kTest,
+      "only recordings have setups ([[target.recording]] with set or own), and this target has kind = \"simulated\"",
+      {"--setup", "steps"});
 }
 
 TEST_F(TrialCommand, ItsSetupIsInTheDatabaseWithUnits) {

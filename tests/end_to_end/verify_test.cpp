@@ -35,7 +35,7 @@ TEST(Verify, FindsAllRunsAsTheCommandsLeftThem) {
   ASSERT_EQ(program.shell("sqlite3 first-steps.db \"UPDATE fitted_value SET value = value + 1e-12\"").exit_code, 0);
   const Outcome changed = program.run({"verify", "first-steps.db"});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_THAT(changed.output, HasSubstr("run 1, table fitted_value: not what the run ended with: other content\n"));
+  EXPECT_THAT(changed.output, HasSubstr("run 1, table fitted_value: changed since the run ended: other content\n"));
   EXPECT_THAT(changed.errors, HasSubstr("first-steps.db: is not what was stored; keep the file, and go back to a "
                                         "backup (lacuna backup makes them)"));
 }

@@ -39,7 +39,7 @@ TEST_F(NewCommand, MakesAnAngleOfATrackedMass) {
   const Outcome outcome = run_new({folder_.write("run.txt", tracked_mass(0.0))});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("angle            column x and y in m (x and y move on a circle)"));
-  EXPECT_THAT(outcome.out, HasSubstr("track              a circle of radius 0.3 m about ("));
+  EXPECT_THAT(outcome.out, HasSubstr("track              points on a circle of radius 0.3 m about ("));
   EXPECT_THAT(text_of(rig()), HasSubstr("angle = { column = \"x\", y = \"y\", unit = \"m\", pivot = ["));
   const Recording recording = expect_a_draft_that_works();
   EXPECT_NEAR(recording.trials.front().measured.samples(0, 0), 0.6, 1e-3);
@@ -72,14 +72,16 @@ class DraftQuestions : public NewCommand {
 TEST_F(DraftQuestions, TakeTheDefaultInBrackets) {
   const std::string text = "[target.sensors]\nangle = { column = \"q1\", unit = \"FILL IN\" }\n";
   EXPECT_EQ(answered(text, "\n", asked_), "[target.sensors]\nangle = { column = \"q1\", unit = \"rad\" }\n");
-  EXPECT_EQ(asked_, "rig.toml: Enter takes what is in brackets\n[target.sensors] angle: the unit of column q1 [rad]: ");
+  EXPECT_EQ(
+      asked_,
+      "rig.toml: press Enter to take the value in brackets\n[target.sensors] angle: the unit of column q1 [rad]: ");
   EXPECT_THAT(answered(text, "deg\n", asked_), HasSubstr("unit = \"deg\""));
 }
 
 TEST_F(DraftQuestions, AreAskedAgainWithTheReason) {
   const std::string text = "[target.sensors]\nangle = { column = \"q1\", unit = \"FILL IN\" }\n";
   EXPECT_THAT(answered(text, "N*m\ndegrees\ndeg\n", asked_), HasSubstr("unit = \"deg\""));
-  EXPECT_THAT(asked_, HasSubstr("it is to become rad"));
+  EXPECT_THAT(asked_, HasSubstr("the channel is in rad"));
   EXPECT_THAT(asked_, HasSubstr("known units are"));
 }
 

@@ -174,7 +174,7 @@ TEST_F(NewCommand, MatchesColumnsWithARobotThatIsThere) {
   const std::string text = text_of(rig());
   for (const char* line : {"file = \"mine.toml\"", "encoder = { column = \"theta_deg\", unit = \"deg\" }",
                            "drive = { column = \"i_A\", unit = \"A\", gain = \"FILL IN N*m/A\" }",
-                           "# not matched: tacho in rad/s, no column fits", "# \"body.rod.mass\""})
+                           "# not matched: tacho in rad/s, no column matches", "# \"body.rod.mass\""})
     EXPECT_THAT(text, HasSubstr(line));
   EXPECT_FALSE(std::filesystem::exists(robot()));
   fill(rig());

@@ -139,7 +139,7 @@ TEST_F(BackupTest, OfRowsThatAreNotThoseOfTheirRunThereIsNone) {
     back_up(file(), copy());
     FAIL() << "other values were copied";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("is damaged (run 1, table fitted_value: not what the run ended with"));
+    EXPECT_THAT(error.what(), HasSubstr("is damaged (run 1, table fitted_value: changed since the run ended"));
   }
   EXPECT_THAT(other_files(), IsEmpty());
 }

@@ -191,7 +191,7 @@ TEST_F(MergeTest, AShardThatIsLeftOutKeepsNoOtherOut) {
   EXPECT_THAT(sentence_of([&] {
                 merge(all, {{good, Unusable::is_left_out}, {bad}});
               }),
-              HasSubstr("b.db: run 1, table model: not what the run ended with"));
+              HasSubstr("b.db: run 1, table model: changed since the run ended"));
 }
 
 TEST_F(MergeTest, AFaultInOneShardKeepsAllOut) {
@@ -201,7 +201,7 @@ TEST_F(MergeTest, AFaultInOneShardKeepsAllOut) {
     merged({good, bad, file("none.db")});
     FAIL() << "should have been refused";
   } catch (const BadInput& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("b.db: run 1, table model: not what the run ended with"));
+    EXPECT_THAT(refused.what(), HasSubstr("b.db: run 1, table model: changed since the run ended"));
     EXPECT_THAT(refused.what(), HasSubstr("none.db"));
   }
   EXPECT_EQ(asked("SELECT count(*) FROM run"), 0);

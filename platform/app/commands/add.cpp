@@ -62,13 +62,13 @@ std::pair<std::string, double> parse_start(const std::string& text) {
   } catch (const std::exception&) {
     // said below
   }
-  throw_problem({}, "--start " + text + ": write it as parameter=number, in SI units, as in --start torque=0.1");
+  throw_problem({}, "--start " + text + ": write PARAMETER=NUMBER in SI units, as in --start torque=0.1");
 }
 
 /// Those that the editor of the list would meet later, and say less well.
 void check_id(const std::string& id, const EffectList& effects) {
   if (!id.empty() && !is_element_name(id))
-    throw_problem({}, "--id " + id + ": cannot be a name; use letters, digits, _ and -");
+    throw_problem({}, "--id " + id + ": is not a valid id; use letters, digits, _ and -");
   for (const EffectEntry& entry : effects)
     if (entry.id == id)
       throw_problem(
@@ -125,8 +125,8 @@ void check_new(const AddOptions& options, const std::string& id, const EffectLis
     if (entry.id == id || entry.effect != options.effect) continue;
     const std::optional<std::string> place = shared_place(entry, *added);
     if (!place) continue;
-    throw_problem({}, fmt::format("{}: {} has one already (id {}); of two the data would tell at best what they do "
-                                  "together. To add a second one all the same, give it a name: --id {}",
+    throw_problem({}, fmt::format("{}: {} has this effect already (id {}); of two such effects, data show only the "
+                                  "sum. To add a second one, give it an id: --id {}",
                                   options.effect, *place, entry.id, id));
   }
 }
@@ -210,7 +210,7 @@ std::vector<AddOptions> asked_for(const AddOptions& options, const Rig& base) {
     all.push_back(std::move(one));
   }
   if (all.empty())
-    throw_problem({}, fmt::format("--answer: no diagnosis of this model found an effect; {} looks for one",
+    throw_problem({}, fmt::format("--answer: no diagnosis of this model has found an effect; run: {}",
                                   command_to_type("diagnose", options)));
   return all;
 }
@@ -229,13 +229,13 @@ Extension extension_of(const AddOptions& options) {
 
 void check_request(const AddOptions& options) {
   if (!options.answer && options.effect.empty())
-    throw_problem({}, "add: name the effect, or write --answer for what the last diagnosis found");
+    throw_problem({}, "add: name the effect, or write --answer to add what the last diagnosis found");
   const bool says_more = !options.effect.empty() || !options.where.empty() || !options.id.empty() ||
                          !options.start.empty() || !options.fixed.empty();
   if (options.answer && says_more)
     throw_problem({},
-                  "add --answer: takes effects, places and values from the diagnosis; write no effect beside it, "
-                  "nor --where, --id, --start or --fixed");
+                  "add --answer takes effects, places and values from the diagnosis; leave out the effect, --where, "
+                  "--id, --start and --fixed");
 }
 
 void run_add(const AddOptions& options) {
@@ -257,8 +257,8 @@ void run_add(const AddOptions& options) {
     for (const Addition& addition : made.added) {
       const EffectEntry& entry = addition.entry;
       if (addition.only_place)
-        fmt::print("{} is placed on {}, the only place possible\n", entry.id, entry.where.front());
-      if (addition.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", entry.id);
+        fmt::print("{} is placed on {}, the only possible place\n", entry.id, entry.where.front());
+      if (addition.from_diagnosis) fmt::print("{} starts at the values that the diagnosis found\n", entry.id);
     }
     fmt::print("{}", change_text(before, after, command_to_type("undo", options)));
     for (const std::string& redundancy : redundancies) fmt::print("{}\n", redundancy);
@@ -273,7 +273,7 @@ void run_add(const AddOptions& options) {
 
 void add_add_command(CLI::App& program) {
   auto options = std::make_shared<AddOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model and fit it again");
+  CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model, then fit the model again");
   add_experiment_options(*command, *options);
   command
       ->add_option("effect", options->effect,
@@ -282,12 +282,12 @@ void add_add_command(CLI::App& program) {
   command->add_flag("--answer", options->answer, "Add the effects that the last diagnosis of this model found");
   command
       ->add_option("--where", options->where,
-                   "Element to place it on, such as joint.hinge; of a wrong_value its address, such as "
-                   "joint.hinge.armature; may "
-                   "be repeated (default: the only one possible)")
+                   "Element to place the effect on, such as joint.hinge; for wrong_value the address, such as "
+                   "joint.hinge.armature; may be repeated (default: the only possible element)")
       ->allow_extra_args(false)
       ->option_text("ELEMENT");
-  command->add_option("--id", options->id, "Name of this placement (default: the effect's)")->option_text("NAME");
+  command->add_option("--id", options->id, "Id of the effect in the model (default: the effect's name)")
+      ->option_text("NAME");
   command->add_option("--start", options->start, "Start value of a parameter, in SI units: torque=0.1; may be repeated")
       ->allow_extra_args(false)
       ->option_text("PARAMETER=NUMBER");

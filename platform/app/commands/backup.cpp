@@ -37,9 +37,9 @@ void make_backup(const BackupOptions& options) {
 
 void add_backup_command(CLI::App& program) {
   auto options = std::make_shared<BackupOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("backup", "Copy a database, also while a run writes to it");
+  CLI::App* command = program.add_subcommand("backup", "Copy a database, even while a run writes to it");
   add_database_argument(*command, options->database);
-  command->add_option("to", options->to, "The copy, a new file")->required()->option_text("TO");
+  command->add_option("to", options->to, "File of the copy; it must not exist yet")->required()->option_text("TO");
   command->add_flag("--quiet", options->quiet, "Print nothing");
   command->callback([options] { make_backup(*options); });
 }

@@ -33,7 +33,7 @@ std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
   const SourceLocation file{options.experiment.string(), 0, 0};
   std::vector<Problem> problems;
   if (rig.count(false) == 0)
-    problems.push_back({file, "every trial is held out: name at least one under target.files to fit to"});
+    problems.push_back({file, "every trial is held out; name at least one fit file under target.files"});
   try {
     const TrialPredictor every_trial_suits_the_model(*rig.model, rig.trials, 1);
     disturbed_joints(rig.definition.structure.robot, rig.experiment.noise);
@@ -76,13 +76,15 @@ void check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& program) {
   auto options = std::make_shared<CheckOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("check", "Check an experiment file and everything it names");
+  CLI::App* command =
+      program.add_subcommand("check", "Check an experiment file and all files and plugins that it names");
   add_experiment_options(*command, *options);
-  CLI::Option* reference = command
-                               ->add_option("--print-reference", options->reference,
-                                            "Print a reference of file keys instead: " + joined(file_reference_names()))
-                               ->option_text("NAME")
-                               ->check(CLI::IsMember(file_reference_names()));
+  CLI::Option* reference =
+      command
+          ->add_option("--print-reference", options->reference,
+                       "Print a reference of the file's keys instead: " + joined(file_reference_names()))
+          ->option_text("NAME")
+          ->check(CLI::IsMember(file_reference_names()));
   add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
   CLI::Option* experiment = command->get_option("experiment");
   experiment->required(false)->excludes(reference);

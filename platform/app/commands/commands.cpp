@@ -78,7 +78,10 @@ bool output_has_arrived() {
 
 int end_of_output() {
   if (output_has_arrived()) return 0;
-  return say("standard output: cannot be written to its end; make room, or redirect it to another place", kFailed);
+  return say(
+      "standard output: the output is incomplete, because not all of it could be written; make room, or redirect it to "
+      "another place",
+      kFailed);
 }
 
 /// A long output fails while it is printed, by an exception that does not know which file it was.
@@ -114,7 +117,7 @@ constexpr AddCommand kCommands[] = {
 void add_commands(CLI::App& program) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());
-  program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
+  program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted (run the command again).");
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   for (const AddCommand add : kCommands) add(program);
 }
@@ -162,7 +165,7 @@ int parse_and_run(CLI::App& program, int argc, char** argv) try {
 }  // namespace
 
 int run_program(int argc, char** argv) try {
-  CLI::App program("Finds what a robot model is missing.", "lacuna");
+  CLI::App program("Finds the physical effect that a robot model is missing.", "lacuna");
   add_commands(program);
   prepare_process(argc, argv);
   return parse_and_run(program, argc, argv);

@@ -76,9 +76,9 @@ void add_compare_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_time_limit_option(*command);
-  command->add_flag("--as-is", options->as_is, "Do not fit: compare with the values as they are written");
+  command->add_flag("--as-is", options->as_is, "Do not fit; use the values that are written in the files");
   command->add_flag("--cross-check", options->cross_check,
-                    "Predict with the other engine, too, and print how far the two are apart");
+                    "Predict with the other engine too and print the difference");
   add_result_option(*command, "csv", options->csv, "Scores as CSV, to standard output or FILE");
   command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)")->option_text("FOLDER");
   command->callback([options] { run_compare(*options); });

@@ -95,8 +95,8 @@ void say_what_is_left_out(const NamedRuns& runs) {
       std::fprintf(stderr, "%s\n",
                    fmt::format("{}: {} {}", plain_text(runs.experiment), counted(count, "run"), why).c_str());
   };
-  say(runs.unfinished, "left out, not ended; lacuna run FILE --resume goes on with what was interrupted");
-  say(runs.others, "left out, begun with other settings than the newest, or run again since");
+  say(runs.unfinished, "left out, not ended; to continue interrupted runs: lacuna run FILE --resume");
+  say(runs.others, "left out: other settings than the newest run, or replaced by a newer run");
 }
 
 /// What all databases have of the experiments that were asked for.
@@ -111,7 +111,7 @@ std::vector<NamedRuns> read_runs(const CurvesOptions& options) {
   for (const NamedRuns& runs : named) say_what_is_left_out(runs);
   std::erase_if(named, [](const NamedRuns& runs) { return runs.passes.empty(); });
   if (named.empty())
-    throw_problem({options.databases.front().string()}, "has no run that has ended; lacuna run FILE makes one");
+    throw_problem({options.databases.front().string()}, "has no finished run; make one: lacuna run FILE");
   for (const std::string& name : options.experiments) check_name("--experiment", name, names_of(named));
   if (!options.experiments.empty())
     std::erase_if(named, [&](const NamedRuns& runs) { return !is_there(runs.experiment, options.experiments); });
@@ -128,8 +128,8 @@ std::string chosen_error(const CurvesOptions& options, const std::vector<NamedRu
   const std::vector<std::string> errors = errors_in(all);
   if (options.error.empty()) return errors.empty() ? std::string() : errors.front();
   if (std::find(errors.begin(), errors.end(), options.error) == errors.end())
-    throw_problem({}, fmt::format("--error {}: not all of these runs have it{}; there is score{}", options.error,
-                                  did_you_mean(options.error, errors),
+    throw_problem({}, fmt::format("--error {}: not all of these runs have this error{}; all have score{}",
+                                  options.error, did_you_mean(options.error, errors),
                                   errors.empty() ? "" : fmt::format(", {}", fmt::join(errors, ", "))));
   return options.error;
 }
@@ -156,21 +156,22 @@ void curves(const CurvesOptions& options) {
 void add_curves_command(CLI::App& program) {
   auto options = std::make_shared<CurvesOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand(
-      "curves", "How fast experiments learn: error by trials of the target and by simulated steps");
+      "curves", "Draw learning curves: error over trials of the target and over simulated steps");
   add_databases_argument(*command, options->databases);
-  command->add_option("--experiment", options->experiments, "Only this one (default: all); may be given several times")
+  command->add_option("--experiment", options->experiments, "Experiment to draw (default: all); may be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME");
   command
       ->add_option("--error", options->error,
-                   "Figure of the objective metric, such as \"body.*.mass\", or score (default: the first that all "
-                   "have)")
+                   "Error to draw: a value of the objective metric, such as \"body.*.mass\", or score (default: the "
+                   "first that all runs have)")
       ->option_text("NAME");
   command
       ->add_option("--against", options->against,
-                   "Also say how many trials each needs for the error that this experiment ends with")
+                   "Also print how many trials each experiment needs to reach the final error of this one")
       ->option_text("NAME");
-  command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
+  command->add_option("--out", options->folder, "Folder for the pictures (default: the current folder)")
+      ->option_text("FOLDER");
   command->callback([options] { curves(*options); });
 }
 

@@ -16,7 +16,10 @@ void add_diagnose_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_time_limit_option(*command);
-  command->add_option("--among", options->among, "Try these effects only; wrong_value: fixed values (default: all)")
+  command
+      ->add_option(
+          "--among", options->among,
+          "Effect filter: try only these effects; wrong_value stands for fixed values of the robot file (default: all)")
       ->option_text("EFFECT ...");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {
@@ -25,7 +28,7 @@ void add_diagnose_command(CLI::App& program) {
     } catch (const TimeIsUp&) {
       throw;
     } catch (const Interrupted& interruption) {
-      throw Interrupted(std::string(interruption.what()) + "; run the same command again to go on");
+      throw Interrupted(std::string(interruption.what()) + "; to continue, run the same command again");
     }
   });
 }

@@ -42,8 +42,8 @@ void export_robot_files(const ExportOptions& options) {
   if (options.toml) wanted.files.push_back({"toml", *options.toml});
   if (wanted.files.empty())
     throw_problem({},
-                  "say what to write: --toml robot.toml, --urdf robot.urdf, --mjcf robot.xml; or of a database, a view "
-                  "or a trial: lacuna export DATABASE VIEW --csv");
+                  "say what to write: --toml robot.toml, --urdf robot.urdf or --mjcf robot.xml; from a database, a "
+                  "view or a trial: lacuna export DATABASE VIEW --csv");
   export_robots(options, wanted);
 }
 
@@ -60,14 +60,13 @@ std::vector<std::pair<RowFormat, std::string>> asked_formats(const ExportOptions
 /// The ending of a file chooses the format where no option does, and between an array and lines of JSON.
 void choose_format(const ExportOptions& options, RowsExport& wanted) {
   const auto asked = asked_formats(options);
-  if (asked.size() > 1) throw_problem({}, "give one of --csv, --json, --npz and --mcap");
+  if (asked.size() > 1) throw_problem({}, "give only one of --csv, --json, --npz and --mcap");
   if (!asked.empty() && !asked.front().second.empty() && !options.out.empty())
-    throw_problem({options.out},
-                  fmt::format("is a second file for the rows, beside {}; name one", asked.front().second));
+    throw_problem({options.out}, fmt::format("is a second output file beside {}; name only one", asked.front().second));
   wanted.to = !asked.empty() && !asked.front().second.empty() ? asked.front().second : options.out;
   const std::optional<RowFormat> by_ending = row_format_of(wanted.to);
   if (asked.empty() && !by_ending)
-    throw_problem({}, "say how to write it: --csv, --json, --npz or --mcap, or name a file that ends so: rows.csv");
+    throw_problem({}, "say which format: --csv, --json, --npz or --mcap, or name a file with such an ending: rows.csv");
   wanted.format = asked.empty() ? *by_ending : asked.front().first;
   if (wanted.format == RowFormat::json && by_ending == RowFormat::json_lines) wanted.format = RowFormat::json_lines;
 }
@@ -108,13 +107,13 @@ void add_robot_options(CLI::App& command, ExportOptions& options) {
 void add_row_options(CLI::App& command, ExportOptions& options) {
   command
       .add_option("what", options.what,
-                  "With a database: a view, a table, or a trial, whose readings stand beside their prediction")
+                  "With a database: a view, a table, or a trial (readings and prediction side by side)")
       ->option_text("WHAT");
   command.add_option("out", options.out, "With a database: the file to write (default: standard output)")
       ->option_text("OUT");
   add_result_option(command, "csv", options.csv, "As CSV, to standard output or FILE");
-  add_result_option(command, "npz", options.npz, "As arrays of NumPy, one a column");
-  add_result_option(command, "mcap", options.mcap, "A trial as MCAP, one topic a channel");
+  add_result_option(command, "npz", options.npz, "As NumPy arrays, one per column");
+  add_result_option(command, "mcap", options.mcap, "A trial as MCAP, one topic per channel");
   for (const char* name : {"what", "out", "--csv", "--npz", "--mcap"}) command.get_option(name)->group(kOfDatabases);
 }
 
@@ -133,7 +132,7 @@ void add_export_command(CLI::App& program) {
       ->add_option("--revision", options->revision,
                    "Revision whose robot or prediction is written (default: the current robot, the newest prediction)")
       ->option_text("N");
-  command->add_flag("--force", options->force, "Replace files that are there");
+  command->add_flag("--force", options->force, "Replace existing files");
   command->callback([command, options] { run_export(*command, *options); });
 }
 

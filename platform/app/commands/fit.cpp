@@ -36,7 +36,8 @@ void run_fit(const CommonOptions& options) {
   }
   if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
   if (fitted.result.stopped)
-    throw Interrupted(stopped_by_time_limit() + "; the best values so far are stored. Run it again with more time");
+    throw Interrupted(stopped_by_time_limit() +
+                      "; the best values so far are stored. Run the command again with more time");
   bench.ledger().done();
 }
 

@@ -39,7 +39,8 @@ void print_hashes(const HashOptions& options) {
 
 void add_hash_command(CLI::App& program) {
   auto options = std::make_shared<HashOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("hash", "Print a hash of each run's content; equal runs have equal ones");
+  CLI::App* command =
+      program.add_subcommand("hash", "Print a hash of each run's content; runs with equal results have equal hashes");
   add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "This run only")->option_text("N");
   command->callback([options] { print_hashes(*options); });

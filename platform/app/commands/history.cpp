@@ -87,7 +87,7 @@ void run_history(const HistoryOptions& options) {
 
 void add_history_command(CLI::App& program) {
   auto options = std::make_shared<HistoryOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("history", "Error by revision of the model");
+  CLI::App* command = program.add_subcommand("history", "Print the error of each revision of the model");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_result_option(*command, "csv", options->csv, "The table as CSV, to standard output or FILE");

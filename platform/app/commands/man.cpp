@@ -45,7 +45,7 @@ void print_one(const std::vector<std::string>& words, const std::vector<CommandF
 
 void add_man_command(CLI::App& program) {
   auto options = std::make_shared<ManOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("man", "Print the manual page of a command, for man to show");
+  CLI::App* command = program.add_subcommand("man", "Print the manual page of a command");
   command->add_option("command", options->words, "The command, such as compare or plugins list (default: the program)")
       ->option_text("NAME ...");
   command->add_option("--out", options->folder, "Write the pages of all commands into this folder instead")

@@ -25,9 +25,8 @@ namespace {
 constexpr std::size_t kLongestMessage = std::size_t{4} << 20U;  // bytes
 constexpr int kBusyWait = 20, kIdleWait = 200;                  // ms, between looks at calls and at interrupts
 constexpr const char* kNoSandbox =
-    "lacuna mcp: this kernel has no Landlock, so plugins in the folder are not kept from other files; use none that "
-    "you "
-    "do not trust";
+    "lacuna mcp: this kernel has no Landlock, so plugins in the folder can read and write other files; use only "
+    "plugins that you trust";
 
 struct McpOptions {
   double call_limit = 3600.0;  // s
@@ -35,7 +34,7 @@ struct McpOptions {
 
 void write_message(const std::string& message) {
   exact_output() << message << '\n' << std::flush;
-  if (!exact_output().good()) throw Error("standard output: the client does not read any more");
+  if (!exact_output().good()) throw Error("standard output: the client has stopped reading");
 }
 
 /// Whether somebody may still read answers; a client that is gone has closed its end of the pipe.
@@ -81,12 +80,12 @@ void run_mcp(const McpOptions& options, const CLI::App& program) {
 void add_mcp_command(CLI::App& program) {
   auto options = std::make_shared<McpOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command =
-      program.add_subcommand("mcp", "Let an agent use the commands: a server of the Model Context Protocol");
+      program.add_subcommand("mcp", "Serve the commands to an AI agent over the Model Context Protocol");
   command
       ->add_option_function<std::string>(
           "--call-limit",
           [options](const std::string& text) { options->call_limit = parse_duration("--call-limit", text); },
-          "How long a call of a tool may take (default: 1 h)")
+          "Time limit of one tool call (default: 1 h)")
       ->option_text("DURATION");
   command->callback([&program, options] { run_mcp(*options, program); });
 }

@@ -65,7 +65,7 @@ void add_plan(const std::filesystem::path& folder, Sources& sources) {
 }
 
 std::string how_to_make_anew(const Source& source) {
-  return fmt::format("; move it away, and `lacuna task run {} {}` makes it anew",
+  return fmt::format("; move it away and carry the task out again: lacuna task run {} {}",
                      shell_word(source.plan->path().string()), source.task);
 }
 
@@ -108,7 +108,7 @@ void print(const MergeOptions& options, const std::vector<MergedShard>& shards) 
     known += shard.known.size();
   }
   fmt::print("{}: {} added{}\n", plain_text(options.database.string()), counted(added, "run"),
-             known > 0 ? fmt::format(", {} there already", known) : "");
+             known > 0 ? fmt::format(", {} already present", known) : "");
 }
 
 /// What the merge has left out.
@@ -116,7 +116,7 @@ void add_left_out(const std::vector<MergedShard>& shards, Sources& sources) {
   for (std::size_t i = 0; i < shards.size(); ++i) {
     for (const Problem& problem : shards[i].problems) sources.missing += BadInput({problem}).what() + std::string("\n");
     if (shards[i].is_unsound)
-      sources.missing += fmt::format("{}: does not hold what was stored in it{}\n",
+      sources.missing += fmt::format("{}: rows differ from what was stored{}\n",
                                      plain_text(sources.all[i].file.string()), how_to_make_anew(sources.all[i]));
   }
 }
@@ -141,7 +141,7 @@ void merge_databases(const MergeOptions& options) {
       done += found[i].problems.empty() && sources.all[i].plan != nullptr ? 1 : 0;
   }
   if (!sources.missing.empty())
-    throw Error(fmt::format("{}{} of {} tasks are merged; do what is missing, then repeat this command",
+    throw Error(fmt::format("{}{} of {} tasks are merged; carry out the missing ones, then repeat this command",
                             sources.missing, done, sources.tasks));
 }
 
@@ -150,7 +150,7 @@ void merge_databases(const MergeOptions& options) {
 void add_merge_command(CLI::App& program) {
   auto options = std::make_shared<MergeOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command =
-      program.add_subcommand("merge", "Take the runs of other databases, or of a plan's tasks, into one");
+      program.add_subcommand("merge", "Merge the runs of several databases, or of a plan's tasks, into one database");
   add_database_argument(*command, options->database);
   command->add_option("shards", options->sources, "Databases, or folders of plans")
       ->required()

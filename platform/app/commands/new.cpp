@@ -44,7 +44,7 @@ struct NewOptions {
 
 void refuse_existing(const std::filesystem::path& file) {
   if (std::filesystem::exists(std::filesystem::symlink_status(file)))
-    throw Error(file.string() + ": is there already and is not overwritten; choose another name or move it away");
+    throw Error(file.string() + ": already exists and is not overwritten; choose another name or move it away");
 }
 
 /// Writes files that must not exist, all or none; what another program wrote meanwhile is left alone.
@@ -192,7 +192,7 @@ void make_new(const NewOptions& options) {
     for (const std::string& sentence : note_sentences(draft.recording->notes))
       std::printf("note  %s\n", sentence.c_str());
   if (!problems.empty())
-    std::printf("to be mended in the recordings, or told in the experiment\n%s\n", problems.c_str());
+    std::printf("correct these in the recordings, or state them in the experiment file\n%s\n", problems.c_str());
   const std::string blank = '"' + std::string(kBlank);
   if (robot.find(blank) != robot.npos || experiment.find(blank) != experiment.npos) std::printf("fill in\n");
   print_blanks(draft.experiment, experiment);
@@ -204,34 +204,30 @@ void make_new(const NewOptions& options) {
 
 void add_new_command(CLI::App& program) {
   auto options = std::make_shared<NewOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("new", "Draft an experiment file and a robot for measured files");
+  CLI::App* command = program.add_subcommand("new", "Draft an experiment file and a robot file from recordings");
   command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")
       ->required()
       ->option_text("FILE");
   command
       ->add_option("--from", options->files,
-                   "Measured files, or folders of ROS 2, required; the last of several is held out")
+                   "Recordings, files or folders of ROS 2 (required); the last of several is held out")
       ->required()
       ->option_text("FILE ...");
   command
-      ->add_option("--robot", options->robot,
-                   "Robot file that is there already; columns are matched with its sensors and actuators")
+      ->add_option("--robot", options->robot, "Existing robot file; columns are matched with its sensors and actuators")
       ->option_text("FILE");
-  command->add_option("--time", options->hints.time, "Column that is the time, instead of a guess")
-      ->option_text("COLUMN");
+  command->add_option("--time", options->hints.time, "Column of time (default: guessed)")->option_text("COLUMN");
   command
       ->add_option("--position", options->hints.positions,
-                   "Column that is a joint position, instead of a guess; may be repeated")
+                   "Column of a joint position (default: guessed); may be repeated")
       ->allow_extra_args(false)
       ->option_text("COLUMN");
   command
       ->add_option("--velocity", options->hints.velocities,
-                   "Column that is a joint velocity, instead of a guess; may be repeated")
+                   "Column of a joint velocity (default: guessed); may be repeated")
       ->allow_extra_args(false)
       ->option_text("COLUMN");
-  command
-      ->add_option("--command", options->hints.commands,
-                   "Column that is a command, instead of a guess; may be repeated")
+  command->add_option("--command", options->hints.commands, "Column of a command (default: guessed); may be repeated")
       ->allow_extra_args(false)
       ->option_text("COLUMN");
   command->callback([options] {

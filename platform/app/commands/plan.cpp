@@ -23,7 +23,7 @@ struct PlanCommand : PlanOptions {
 
 void make_plan(PlanCommand options) {
   if (options.kind == TaskKind::diagnosis && options.replicates)
-    throw_problem({}, "--replicates repeats runs; a diagnosis is made once: leave it out");
+    throw_problem({}, "--replicates repeats runs, and a diagnosis is made once; leave it out");
   options.plugin_paths = options.common.plugin_paths;
   const TaskFolder folder = TaskFolder::make(options.out, freeze_plan(options));
   const std::string typed = shell_word(options.out.string());
@@ -42,21 +42,21 @@ void add_plan_command(CLI::App& program) {
   command->add_option("experiments", options->experiments, "Experiment files (TOML)")
       ->required()
       ->option_text("FILE...");
-  command->add_option("--out", options->out, "Folder of the plan, a new one")->required()->option_text("FOLDER");
+  command->add_option("--out", options->out, "New folder for the plan")->required()->option_text("FOLDER");
   command->add_flag_callback(
       "--diagnose", [options] { options->kind = TaskKind::diagnosis; },
-      "A task is a diagnosis (default: a replicate of a run)");
+      "Make each task a diagnosis (default: a replicate of a run)");
   command
-      ->add_option("--replicates", options->replicates, "How often each run is repeated, instead of the file's number")
+      ->add_option("--replicates", options->replicates, "Number of replicates of each run (default: the file's number)")
       ->option_text("N")
       ->check(whole_number(1, 1000000));
   command
       ->add_option(
           "--sweep", options->sweeps,
-          "Vary a key: --sweep engine.step=0.001,0.002; repeated, all combinations; besides the file's [sweep]")
+          "Vary a key: --sweep engine.step=0.001,0.002; repeated: all combinations; in addition to the file's [sweep]")
       ->allow_extra_args(false)
       ->option_text("KEY=A,B,...");
-  command->add_option("--seed", options->seed, "Seed, instead of the files'")->option_text("N")->check(whole_number(0));
+  command->add_option("--seed", options->seed, "Seed (default: the files')")->option_text("N")->check(whole_number(0));
   command->add_option("--set", options->overrides, "Override a key of the files; may be repeated")
       ->allow_extra_args(false)
       ->option_text("KEY=VALUE");

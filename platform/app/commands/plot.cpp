@@ -34,10 +34,10 @@ std::vector<EeaRunListing> runs_to_draw(const Database& database, const PlotOpti
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
   if (runs.empty())
-    throw_problem({options.database.string()}, "has no run with a pass that has ended; lacuna run FILE makes one");
+    throw_problem({options.database.string()}, "has no run with a finished pass; make one: lacuna run FILE");
   std::vector<EeaRunListing> drawn = newest_setting(database, runs);
   if (drawn.size() < runs.size())
-    fmt::print(stderr, "draws {} of {}; the other runs are no further replicates of it, --run N draws one of them\n",
+    fmt::print(stderr, "draws {} of {}; the other runs are not replicates of it; to draw one of them: --run N\n",
                numbers(drawn), drawn.front().experiment);
   return drawn;
 }
@@ -69,7 +69,8 @@ void add_plot_command(CLI::App& program) {
   add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "This run only (default: the newest with its replicates)")
       ->option_text("N");
-  command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
+  command->add_option("--out", options->folder, "Folder for the pictures (default: the current folder)")
+      ->option_text("FOLDER");
   command->callback([options] { plot(*options); });
 }
 

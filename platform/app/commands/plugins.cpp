@@ -104,17 +104,17 @@ void show_plugin(const PluginsOptions& options) {
 }  // namespace
 
 void add_plugins_command(CLI::App& program) {
-  CLI::App* plugins = program.add_subcommand("plugins", "What can be used in experiment files");
+  CLI::App* plugins = program.add_subcommand("plugins", "List, show, check and write plugins");
   plugins->require_subcommand(1);
   auto options = std::make_shared<PluginsOptions>();  // shared: CLI11 keeps the callbacks, which must own the options
   CLI::App* list = plugins->add_subcommand("list", "List every component of every plugin");
   list->add_option("--kind", options->kind, "Only components of this kind, such as effect")->option_text("KIND");
-  list->add_flag("--verbose", options->verbose, "With the file of each");
+  list->add_flag("--verbose", options->verbose, "Also print the file of each");
   add_plugins_options(*list, options->common);
   list->callback([options] { list_plugins(*options); });
-  CLI::App* show = plugins->add_subcommand("show", "Show a plugin's parameters and, of an effect, its physics");
+  CLI::App* show = plugins->add_subcommand("show", "Show a plugin's parameters and, for an effect, its equation");
   show->add_option("name", options->name, "The plugin's name")->required()->option_text("NAME");
-  show->add_flag("--verbose", options->verbose, "With its file, digest and build");
+  show->add_flag("--verbose", options->verbose, "Also print its file, digest and build");
   add_plugins_options(*show, options->common);
   show->callback([options] { show_plugin(*options); });
   add_new_plugin_command(*plugins);

@@ -57,13 +57,12 @@ EeaRunListing run_to_ask(const Database& database, const PredictOptions& options
       throw_problem(file, fmt::format("run {} is of {}, not of {}; lacuna runs lists them", run.run.value,
                                       run.experiment, experiment));
     if (run.passes_done > 0) return run;
-    throw_problem(file,
-                  fmt::format("run {} has no pass that has ended; {} --resume goes on with it", run.run.value, again));
+    throw_problem(file, fmt::format("run {} has no finished pass; to continue it: {} --resume", run.run.value, again));
   }
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::erase_if(runs, [&](const EeaRunListing& run) { return run.experiment != experiment || run.passes_done == 0; });
   if (runs.empty())
-    throw_problem(file, fmt::format("has no run of {} with a pass that has ended; {} makes one", experiment, again));
+    throw_problem(file, fmt::format("has no run of {} with a finished pass; make one: {}", experiment, again));
   return runs.back();
 }
 
@@ -116,7 +115,7 @@ WantedTest numbered_test(const AskedRun& run, std::uint64_t number, const AskedT
     if (trial.row.test == number) return carried_out_test(run, trial, asked);
   const std::optional<TestRow> row = run.store.test(number);
   if (!row)
-    throw_problem({}, fmt::format("--test {}: run {} has no such test; its tests count from 0, and the view "
+    throw_problem({}, fmt::format("--test {}: run {} has no such test; tests are numbered from 0, and the view "
                                   "transfer_gap lists those that were carried out",
                                   asked.test, run.stored.listing.run.value));
   WantedTest wanted{run.definition().decode_test(row->genome), {}};
@@ -131,7 +130,7 @@ WantedTest wanted_test(const AskedRun& run, const AskedTest& asked) {
   if (const std::optional<std::uint64_t> number = test_number(asked.test)) {
     if (asked.setup)
       throw_problem({}, "--setup is for new tests; test " + std::to_string(*number) +
-                            " of the run has its own. Leave --setup out");
+                            " of the run has a setup already. Leave --setup out");
     return numbered_test(run, *number, asked);
   }
   const Experiment& experiment = run.rig().experiment;
@@ -180,7 +179,7 @@ PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
   EnsemblePrediction prediction = predict_test(run.definition(), ensemble, wanted.test, wanted.times, threads,
                                                wanted.measured ? wanted.times.front() : 0.0);
   if (prediction.models == 0)
-    throw Error(fmt::format("none of the run's models can carry the test out: {}", prediction.lost.front().reason));
+    throw Error(fmt::format("no model of the run can carry out the test: {}", prediction.lost.front().reason));
   BandSupport support = support_of(run.ensembles.held_out(threads), options.seed.value_or(1));
   widen(prediction.band, support);
   const std::optional<std::uint64_t> number = test_number(options.asked.test);
@@ -217,8 +216,8 @@ std::string setup_words(const PredictionReport& report) {
 std::string next_step(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
   const std::string experiment = shell_word(options.experiment.string());
   if (!report.support.enough() && run.definition().passes <= kMostSupported && run.stored.bench->takes_tests())
-    return fmt::format("→ more passes support the band: lacuna run {} --set experiment.passes={}{}\n", experiment,
-                       kFewestHeldOut + 1, same_words(options, false));
+    return fmt::format("→ to calibrate the band, run more passes: lacuna run {} --set experiment.passes={}{}\n",
+                       experiment, kFewestHeldOut + 1, same_words(options, false));
   if (!test_number(options.asked.test))
     return fmt::format("→ lacuna trial {} --test {}{}{}\n", experiment, shell_word(options.asked.test),
                        same_words(options, true) + setup_words(report),
@@ -245,8 +244,8 @@ void check_overrides(const std::vector<std::string>& overrides) {
   for (const std::string& one : overrides)
     if (!one.starts_with("experiment."))
       problems.push_back({{},
-                          fmt::format("--set {}: the models and trials of a run are those of the experiment that it "
-                                      "was begun with; lacuna run --set makes a run with another",
+                          fmt::format("--set {}: the run's models and trials belong to the settings that it was begun "
+                                      "with; make a run with other settings: lacuna run --set",
                                       one)});
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
@@ -260,15 +259,16 @@ std::vector<std::string> of_experiment(std::vector<std::string> overrides) {
 /// Without a run there is the experiment's own model, which a fit knows.
 void predict_without_run(const PredictOptions& options, const std::filesystem::path& database) {
   if (test_number(options.asked.test))
-    throw_problem({database.string()}, fmt::format("--test {}: is the number of a test of a run, and the database has "
-                                                   "no run of this experiment with a pass that has ended; {} makes one",
+    throw_problem({database.string()}, fmt::format("--test {}: a number names a test of a run, and the database has no "
+                                                   "run of this experiment with a finished pass; make one: {}",
                                                    options.asked.test, command_to_type("run", options)));
   Workbench bench(options);
   const ModelPrediction prediction = predict_by_one_model(bench, options.asked);
   bench.ledger().done();
   if (!takes_standard_output(options.csv) && !takes_standard_output(options.json)) {
     fmt::print("{}", model_prediction_text(prediction));
-    if (!options.quiet) fmt::print("→ several models, and a band: {}\n", command_to_type("run", options));
+    if (!options.quiet)
+      fmt::print("→ for several models and an uncertainty band: {}\n", command_to_type("run", options));
   }
   if (options.json) write_output(*options.json, model_prediction_json(prediction));
   if (options.csv) write_output(*options.csv, model_prediction_csv(prediction));
@@ -279,7 +279,7 @@ void predict(const PredictOptions& options) {
   check_output(options.json, options.csv);
   check_output(options.picture);
   if (options.run && options.fitted)
-    throw_problem({}, "--run asks the models of a run, --fitted the fitted model: give one of them");
+    throw_problem({}, "--run uses the models of a run and --fitted the fitted model; give only one of them");
   const Experiment experiment = read_experiment(options.experiment, of_experiment(options.overrides));
   const CommonOptions& given = options;
   CommonOptions common = given;
@@ -289,25 +289,26 @@ void predict(const PredictOptions& options) {
   check_overrides(options.overrides);
   if (options.asked.test.empty())
     throw_problem({},
-                  "say which test the models of the run are to predict: --test \"triangle ACTUATOR ...\"; --fitted "
-                  "simulates the fitted model on the trials instead");
+                  "say which test to predict: --test \"triangle ACTUATOR ...\"; to simulate the fitted model on the "
+                  "trials instead: --fitted");
   Database database = Database::open_read_only(common.database);
   const EeaRunListing listing = run_to_ask(database, options, experiment.name);
   const StoredBench stored = open_stored(database, listing, common);
   if (!options.quiet)
     for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
   if (!options.quiet && experiment.text != stored.run.experiment.text)
-    std::fprintf(stderr, "%s differs from what run %s was begun with, which is what counts here\n",
+    std::fprintf(stderr, "%s has changed since run %s began; the run's own version is used\n",
                  options.experiment.c_str(), std::to_string(listing.run.value).c_str());
   std::mutex unused;
   const EeaStore store(database, unused, listing.run, {});
   const std::vector<RunTrial> trials = run_trials(store, stored.bench->definition());
   const StoredEnsembles ensembles(store, stored.bench->definition(), trials);
   if (ensembles.empty())
-    throw_problem({database.file().string()},
-                  fmt::format("run {} did not keep the models of its passes, for an older version made it; {} makes "
-                              "one that does",
-                              listing.run.value, command_to_type("run", options)));
+    throw_problem(
+        {database.file().string()},
+        fmt::format(
+            "run {} was made by an older version, which did not store the models of each pass; make a new run: {}",
+            listing.run.value, command_to_type("run", options)));
   const AskedRun run{stored, store, trials, ensembles};
   write_report(options, run, report_of(run, options));
 }
@@ -316,20 +317,19 @@ void predict(const PredictOptions& options) {
 
 void add_predict_command(CLI::App& program) {
   auto options = std::make_shared<PredictOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command =
-      program.add_subcommand("predict",
-                             "Predict a test by the models of a run, and how far they agree; without a run, by the "
-                             "experiment's fitted model");
+  CLI::App* command = program.add_subcommand(
+      "predict", "Predict the outcome of a test with the models of a run, or with the fitted model");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_test_options(*command, options->asked,
-                   "The test: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, the "
-                   "number of a test of the run, or without a run the name of a fit trial (default: all of them)");
+  add_test_options(
+      *command, options->asked,
+      "Test: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, or the number of a test of "
+      "the run; with the fitted model also the name of a fit trial (default: all fit trials)");
   command->get_option("--test")->required(false);
-  command->add_flag("--fitted", options->fitted, "By the experiment's fitted model, also where there are runs");
-  command->add_option("--run", options->run, "The run (default: the newest of the experiment)")->option_text("N");
+  command->add_flag("--fitted", options->fitted, "Use the fitted model even if there are runs");
+  command->add_option("--run", options->run, "Run (default: the experiment's newest)")->option_text("N");
   add_result_option(*command, "csv", options->csv,
-                    "Mean and band, or the prediction of the one model, as CSV, to standard output or FILE");
+                    "Mean and band, or the fitted model's prediction, as CSV, to standard output or FILE");
   command->add_option("--out", options->picture, "Picture of the prediction (SVG)")->option_text("FILE");
   command->callback([options] { predict(*options); });
 }

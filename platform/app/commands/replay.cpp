@@ -75,7 +75,7 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
   const int wanted = options.trial.value_or(model.numbers.back());
   const auto found = std::find(model.numbers.begin(), model.numbers.end(), wanted);
   if (found == model.numbers.end())
-    throw_problem({}, fmt::format("--trial {}: model {} was held against the trials {} only", wanted, model.number,
+    throw_problem({}, fmt::format("--trial {}: model {} was scored only on trials {}", wanted, model.number,
                                   fmt::join(model.numbers, ", ")));
   const ScoredTrial& scored = model.trials[static_cast<std::size_t>(found - model.numbers.begin())];
   const Eigen::VectorXd& times = scored.trial.measured.times;
@@ -98,7 +98,7 @@ void replay(const ReplayOptions& options) {
   const EeaStore store(database, unused, run.run, {});
   const std::vector<PassRow> passes = store.passes();
   if (!options.model && (passes.empty() || !passes.back().best_model))
-    throw Error("no pass of the run has ended; name a model with --model");
+    throw Error("the run has no finished pass; name a model: --model N");
   const std::uint64_t number = options.model ? *options.model : *passes.back().best_model;
   const StoredModel model = stored_model(store, stored.bench->definition(), number);
   const ModelScore score = score_again(model);
@@ -109,7 +109,7 @@ void replay(const ReplayOptions& options) {
     fmt::print("{}{}", values_text(model), scores_text(model, score));
   }
   if (options.csv) write_series(model, options);
-  if (!agrees(model.row, score)) throw Error("the replayed scores are not those that are stored");
+  if (!agrees(model.row, score)) throw Error("the replayed scores differ from the stored ones");
 }
 
 }  // namespace
@@ -118,10 +118,10 @@ void add_replay_command(CLI::App& program) {
   auto options = std::make_shared<ReplayOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("replay", "Simulate a stored model again and compare its scores");
   add_database_argument(*command, options->database);
-  command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
-  command->add_option("--model", options->model, "The model's number in its run (default: the best of the last pass)")
+  command->add_option("--run", options->run, "Run (required if there are several)")->option_text("N");
+  command->add_option("--model", options->model, "Number of the model in its run (default: the best of the last pass)")
       ->option_text("N");
-  command->add_option("--trial", options->trial, "The trial that --csv shows (default: the newest)")->option_text("N");
+  command->add_option("--trial", options->trial, "Trial that --csv writes (default: the newest)")->option_text("N");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)
       ->option_text("FOLDER");

@@ -35,8 +35,8 @@ constexpr std::size_t kReplayBytes = 12'000'000;
 void refuse_terminal(const ReportOptions& options) {
   if (!options.out.empty() || isatty(STDOUT_FILENO) == 0) return;
   const std::string page = shell_word(options.database.stem().string() + ".html");
-  throw_problem({}, "the page is for a browser, and standard output is a terminal; name a file: " + command_line() +
-                        " --out " + page);
+  throw_problem({}, "standard output is a terminal, and the page is HTML for a browser; name a file: " +
+                        command_line() + " --out " + page);
 }
 
 void make_report(const ReportOptions& options) {
@@ -55,7 +55,7 @@ void make_report(const ReportOptions& options) {
   const std::string page = report_page(pages.bytes());
   write_output(options.out, page);
   if (!options.quiet && !options.out.empty())
-    fmt::print("{}: {:.1f} MB; opens in a browser, without a network\n", plain_text(options.out),
+    fmt::print("{}: {:.1f} MB; open it in a browser, no network needed\n", plain_text(options.out),
                static_cast<double>(page.size()) / kMegabyte);
 }
 
@@ -63,16 +63,16 @@ void make_report(const ReportOptions& options) {
 
 void add_report_command(CLI::App& program) {
   auto options = std::make_shared<ReportOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("report", "Write a database as a page that any browser opens");
+  CLI::App* command = program.add_subcommand("report", "Write a database as one HTML page for any browser");
   add_database_argument(*command, options->database);
-  command
-      ->add_option("--out", options->out,
-                   "The page, one HTML file (default: standard output, where that is no terminal)")
+  command->add_option("--out", options->out, "HTML file to write (default: standard output, unless it is a terminal)")
       ->option_text("FILE");
-  command->add_option("--most-megabytes", options->megabytes, "Of a larger database a selection (default: 50)")
+  command
+      ->add_option("--most-megabytes", options->megabytes,
+                   "Largest page; of a larger database it shows a selection (default: 50)")
       ->option_text("MB")
       ->check(CLI::Range(1.0, 2000.0));
-  command->add_flag("--no-robots", options->no_robots, "Do not simulate robots again for the page Replay");
+  command->add_flag("--no-robots", options->no_robots, "Do not simulate robots for the page Replay");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)
       ->option_text("FOLDER");

@@ -44,19 +44,19 @@ bool differ(const PassRow& a, const PassRow& b) {
 /// Where the two begin to differ, as far as the passes tell.
 std::string first_difference(const std::vector<PassRow>& stored, const std::vector<PassRow>& again) {
   for (std::size_t i = 0; i < std::min(stored.size(), again.size()); ++i)
-    if (differ(stored[i], again[i])) return fmt::format("they differ from pass {} on", stored[i].number);
-  return "their passes agree, but not all of their rows";
+    if (differ(stored[i], again[i])) return fmt::format("the passes differ from pass {} on", stored[i].number);
+  return "all passes agree, but other rows differ";
 }
 
 /// Shows the program that will be started; throws where the user has not said that it may be.
 void check_program(const ReproduceOptions& options, const StoredBench& stored) {
   const std::string line = program_line(stored.bench->rig().experiment);
   if (line.empty()) return;
-  if (options.trust) return fmt::print(stderr, "starts the program that the database names: {}\n", line);
+  if (options.trust) return fmt::print(stderr, "starting the program that the database names: {}\n", line);
   throw_problem({options.database.string()},
-                fmt::format("run {} has a program as its target, and only the database says which: {} - it was not "
-                            "started. Whoever made the file can have written this line (a digest shows accidents, not "
-                            "forgery). If you know the program and trust it: {} --trust",
+                fmt::format("the target of run {} is a program that only the database names: {} - it was not started, "
+                            "because anybody who can write the file can put a command there (a digest shows accidents, "
+                            "not forgery). If you trust this program: {} --trust",
                             stored.listing.run.value, line, command_line()));
 }
 
@@ -64,8 +64,8 @@ EeaRunListing run_to_repeat(const Database& database, const ReproduceOptions& op
   EeaRunListing listing = choose_run(database, options.run);
   if (listing.ending != "done")
     throw_problem({options.database.string()},
-                  fmt::format("run {} is not done ({}); only a run that is can be compared with another",
-                              listing.run.value, listing.ending));
+                  fmt::format("run {} is not done ({}); only a finished run can be reproduced", listing.run.value,
+                              listing.ending));
   return listing;
 }
 
@@ -92,7 +92,7 @@ Repetition repeat(const StoredBench& stored, const EeaRunListing& listing, Datab
 void check_ended(const ReplicateEnd& end, const EeaRunListing& listing) {
   if (end.ending == RunEnding::interrupted)
     throw Interrupted("interrupted; run " + std::to_string(listing.run.value) +
-                      " is as it was, and nothing is kept of its repetition");
+                      " is unchanged, and its repetition is discarded");
   if (end.ending == RunEnding::failed) throw Error(end.problem);
 }
 
@@ -127,8 +127,8 @@ void add_reproduce_command(CLI::App& program) {
   auto options = std::make_shared<ReproduceOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("reproduce", "Run a stored run again and compare every row");
   add_database_argument(*command, options->database);
-  command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
-  command->add_option("--threads", options->threads, "Threads (default: one a processor)")
+  command->add_option("--run", options->run, "Run (required if there are several)")->option_text("N");
+  command->add_option("--threads", options->threads, "Threads (default: one per processor)")
       ->option_text("N")
       ->check(whole_number(1, 1024));
   command->add_flag("--trust", options->trust, "Start the program that the database names as the target");

@@ -14,31 +14,28 @@ namespace lacuna {
 void add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();  // shared: CLI11 keeps the callback, which must own the options
   auto slurm = std::make_shared<SlurmOptions>();
-  CLI::App* command =
-      program.add_subcommand("run", "Evolve models that explain a target, and the tests that tell most about it");
+  CLI::App* command = program.add_subcommand(
+      "run", "Run the Estimation-Exploration Algorithm: evolve models of a target and tests for it");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_time_limit_option(*command);
-  command
-      ->add_option("--replicates", options->replicates, "How often the run is repeated, instead of the file's number")
+  command->add_option("--replicates", options->replicates, "Number of replicates (default: the file's number)")
       ->option_text("N")
       ->check(whole_number(1, 1000000));
   CLI::Option* isolate = command->add_flag_callback(
       "--isolate", [options] { options->isolate = true; },
-      "Simulate models in worker processes: a plugin that crashes costs a model, not the run (default where a plugin "
-      "is not of the installed ones)");
+      "Simulate models in worker processes, so that a crash of a plugin costs one model and not the run (default if a "
+      "plugin did not come with the program)");
   command
       ->add_flag_callback(
-          "--no-isolate", [options] { options->isolate = false; },
-          "Simulate models in this process, whatever the plugins")
+          "--no-isolate", [options] { options->isolate = false; }, "Simulate models in this process, with any plugins")
       ->excludes(isolate);
-  CLI::Option* resume =
-      command->add_flag("--resume", options->resume,
-                        "Go on with this experiment's runs that were not done, or begin where there is none");
+  CLI::Option* resume = command->add_flag("--resume", options->resume,
+                                          "Continue this experiment's unfinished runs; if it has no run, begin one");
   command
-      ->add_option(
-          "--accept-plugin", options->accepted_plugins,
-          "With --resume: go on with another build of this plugin (NAME.so), which is recorded; may be repeated")
+      ->add_option("--accept-plugin", options->accepted_plugins,
+                   "With --resume: continue with another build of this plugin (NAME.so); the database records it; may "
+                   "be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME")
       ->needs(resume);

@@ -62,8 +62,7 @@ bool wait_for(const std::filesystem::path& database) {
     return std::filesystem::file_size(database, missing) == 0 || missing == std::errc::no_such_file_or_directory;
   };
   if (!is_missing() || !std::filesystem::exists(folder)) return true;
-  fmt::print(stderr, "waiting for {}, which `lacuna compare` or `lacuna run` makes; Ctrl-C ends it\n",
-             database.string());
+  fmt::print(stderr, "waiting until `lacuna compare` or `lacuna run` makes {}; stop with Ctrl-C\n", database.string());
   while (is_missing() && !interrupt_requested()) std::this_thread::sleep_for(kLook);
   return !interrupt_requested();
 }
@@ -86,12 +85,12 @@ void serve(const ServeOptions& options) {
        .prepare_replay = [&](std::int64_t run, std::int64_t trial) { return replays.prepare(run, trial); }});
   if (!is_loopback(options.host))
     std::fprintf(stderr,
-                 "warning: whoever can reach %s and has this address, token included, can read the whole database; "
-                 "nothing is encrypted on the way\n",
+                 "warning: anybody who can reach %s and knows this address with its token can read the whole database; "
+                 "the connection is not encrypted\n",
                  options.host.c_str());
   fmt::print("{}\n", server.address());
   std::fflush(stdout);
-  fmt::print(stderr, "serves {}, which it only reads; Ctrl-C ends it\n", options.database.string());
+  fmt::print(stderr, "serving {} read-only; stop with Ctrl-C\n", options.database.string());
   if (options.open) open_browser(page_to_open(server.address(), scratch));
   std::atomic<bool> ended = false;
   std::thread answering([&] {

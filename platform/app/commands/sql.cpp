@@ -67,7 +67,7 @@ void add_sql_command(CLI::App& program) {
   command->callback([options] {
     if (options->views) return print_views();
     if (options->database.empty()) throw CLI::RequiredError("database");
-    if (options->sql.empty()) throw CLI::RequiredError("a statement in quotes, or --views for what can be asked,");
+    if (options->sql.empty()) throw CLI::RequiredError("a statement in quotes, or --views to list the views,");
     query(*options);
   });
 }

@@ -19,7 +19,7 @@ const char* to_string(TaskState state) {
   switch (state) {
     case TaskState::open: return "not begun";
     case TaskState::running: return "running";
-    case TaskState::silent: return "without a sign of life";
+    case TaskState::silent: return "without news";
     case TaskState::interrupted: return "interrupted";
     case TaskState::failed: return "failed";
     case TaskState::done: return "done";
@@ -38,7 +38,7 @@ void print_task(std::size_t number, const TaskStatus& status) {
   if (status.state == TaskState::failed)
     fmt::print("task {} failed ({}): {}\n", number, who, on_one_line(status.reason));
   if (status.state == TaskState::silent)
-    fmt::print("task {}: no sign of life for three minutes ({}). If its process or machine has ended, run it again\n",
+    fmt::print("task {}: no news for three minutes ({}). If its process or machine has stopped, run the task again\n",
                number, who);
   if (status.state == TaskState::running) fmt::print("task {} is running ({})\n", number, who);
 }
@@ -67,7 +67,7 @@ void print_status(const std::filesystem::path& path) {
 
 void add_status_command(CLI::App& program) {
   auto folder = std::make_shared<std::filesystem::path>();  // shared: CLI11 keeps the callback, which must own it
-  CLI::App* command = program.add_subcommand("status", "Say how far the tasks of a plan are");
+  CLI::App* command = program.add_subcommand("status", "Print the progress of a plan's tasks");
   command->add_option("folder", *folder, "Folder of the plan")->required()->option_text("FOLDER");
   command->callback([folder] { print_status(*folder); });
 }

@@ -32,15 +32,14 @@ void add_task_command(CLI::App& program) {
   auto options = std::make_shared<TaskOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* group = program.add_subcommand("task", "Carry out a task of a plan");
   group->require_subcommand(1);
-  CLI::App* command =
-      group->add_subcommand("run", "Carry out a task of a plan, or go on with one that was interrupted");
+  CLI::App* command = group->add_subcommand("run", "Carry out a task of a plan, or continue an interrupted one");
   command->add_option("folder", options->folder, "Folder of the plan")->required()->option_text("FOLDER");
   command->add_option("number", options->number, "Number of the task, from 0")
       ->required()
       ->option_text("NUMBER")
       ->check(whole_number(0));
   command
-      ->add_option("--threads", options->threads, "Threads (default: those that Slurm has granted, or one a processor)")
+      ->add_option("--threads", options->threads, "Threads (default: as many as Slurm granted, else one per processor)")
       ->option_text("N")
       ->check(whole_number(1, 1024));
   add_evaluation_limit_option(*command);

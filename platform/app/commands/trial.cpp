@@ -106,7 +106,7 @@ Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target
   } catch (const Error& error) {
     keep_failure(options, rig, seed, name_of(number), error.what(), database);
     throw Error(std::string(error.what()) + "\n" + name_of(number) +
-                " is noted as failed (view failed_trials); once that is mended, the same command tries it again");
+                " is stored as failed (view failed_trials); correct the cause, then repeat the command");
   }
   trial.held_out = options.held_out;
   keep(options, rig, target, seed, trial, database);
@@ -148,10 +148,10 @@ std::string recording_lines(const TrialOptions& options, const KnownSetup& setup
 
 /// The rig as it has to be, where recordings differ in that.
 std::string setup_advice(const TrialOptions& options, const KnownSetup& setup) {
-  return fmt::format("{}{}\nset the rig up so, give it these commands, record it, and add the measured file to {}:\n{}",
-                     setup_text(setup),
-                     options.asked.setup ? "" : ", that of the first recording; --setup NAME asks for another",
-                     shell_word(options.experiment.string()), recording_lines(options, setup));
+  return fmt::format(
+      "{}{}\nset the rig up like this, apply these commands, record it, and add the measured file to {}:\n{}",
+      setup_text(setup), options.asked.setup ? "" : ", the first recording's; choose another with --setup NAME",
+      shell_word(options.experiment.string()), recording_lines(options, setup));
 }
 
 /// What a person does with the table of commands.
@@ -163,7 +163,7 @@ std::string advice(const TrialOptions& options, bool takes_tests, const std::opt
                                               options_to_type(options));
   if (setup) return setup_advice(options, *setup);
   return fmt::format(
-      "give these commands to the rig, record it, and add the measured file to target.{0} in {1}, as in {0} = "
+      "apply these commands to the rig, record it, and add the measured file to target.{0} in {1}, as in {0} = "
       "[\"...\", "
       "\"new.csv\"]\n",
       options.held_out ? "holdout" : "files", experiment);
@@ -192,7 +192,7 @@ void run_trial(const TrialOptions& options) {
   const Rig rig = open_rig(options);
   if (files_are_limited() && rig.experiment.target.kind == "process")
     throw_problem(rig.experiment.where("target.kind"),
-                  "the target is a program, and none is started for an agent; carry the test out yourself: " +
+                  "the target is a program, and an agent may not start programs; carry out the test yourself: " +
                       command_to_type("trial", options) + " --test " + shell_word(options.asked.test));
   const int replicate = last_replicate(database_of(options, rig.experiment), rig.experiment.name);
   TrialTarget target(rig.experiment, rig.definition, *rig.catalog, replicate);
@@ -203,8 +203,8 @@ void run_trial(const TrialOptions& options) {
   const KnownSetup setup = asked_setup(options.asked, rig.experiment, rig.definition);
   if (options.held_out && !setup.own.empty())
     throw_problem({}, "setup " + setup.name() +
-                          " has values that are fitted to it, and a held-out trial is kept from every fit: leave out "
-                          "--holdout, or ask for another setup");
+                          " has values that are fitted to its trials, and no fit reads a held-out trial: leave out "
+                          "--holdout, or choose another setup");
   Test test = read_test(options.asked, space, *rig.catalog);
   test.setup = setup.name();
   check_step_count(rig.experiment, test.duration, "of the test");
@@ -212,8 +212,8 @@ void run_trial(const TrialOptions& options) {
     report(options, rig, carry_out(options, rig, target, test), test.duration);
   else if (!target.takes_tests() && !options.csv && takes_standard_output(options.json))
     throw_problem({},
-                  "a recorded target carries no test out, and commands and JSON do not go to one output; name a "
-                  "file with --csv=FILE");
+                  "Lacuna cannot carry out tests on a recorded target; name a file for the commands, because JSON goes "
+                  "to standard output: --csv=FILE");
   else
     write_commands(options, test, target.takes_tests(),
                    any_is_set(known_setups(rig.definition, rig.experiment.target.recording)) ? std::optional(setup)
@@ -224,16 +224,15 @@ void run_trial(const TrialOptions& options) {
 
 void add_trial_command(CLI::App& program) {
   auto options = std::make_shared<TrialOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command =
-      program.add_subcommand("trial", "Carry a test out on a target that takes tests, or write its commands for a rig");
+  CLI::App* command = program.add_subcommand(
+      "trial", "Carry out a test on a simulated target or a program, or write its commands for a rig");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_test_options(
-      *command, options->asked,
-      "The test, required: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", or a CSV file of commands");
-  command->add_flag("--holdout", options->held_out, "Keep the trial from every fit");
+  add_test_options(*command, options->asked,
+                   "Test (required): a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", or a CSV file of commands");
+  command->add_flag("--holdout", options->held_out, "Hold the trial out: no fit reads it");
   add_result_option(*command, "csv", options->csv,
-                    "Write the commands as CSV, to standard output or FILE, and carry nothing out");
+                    "Write the commands as CSV, to standard output or FILE; carry nothing out");
   command->callback([options] { run_trial(*options); });
 }
 

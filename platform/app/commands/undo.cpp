@@ -48,8 +48,8 @@ struct Added {
 Added to_take_back(Workbench& bench, const CommonOptions& options) {
   const StoredRevision& revision = bench.revision();
   if (!revision.parent)
-    throw Error(fmt::format("{}: revision {} is the first one that {} knows; there is nothing to undo",
-                            options.experiment.string(), revision.number, bench.ledger().file().string()));
+    throw Error(fmt::format("{}: revision {} is the first in {}; there is nothing to undo", options.experiment.string(),
+                            revision.number, bench.ledger().file().string()));
   const ResultStore& store = bench.ledger().store();
   const RevisionRecord parent =
       store.revision_record(store.revision(bench.ledger().experiment(), *revision.parent)->id);
@@ -57,8 +57,8 @@ Added to_take_back(Workbench& bench, const CommonOptions& options) {
   Added added{added_ids(model.effects, parent.effects), freed_values(model.free, parent.free)};
   if (added.effects.empty() && added.values.empty())
     throw Error(
-        fmt::format("{}: the step from revision {} to {} added no effect and freed no value; undo takes back nothing "
-                    "else, edit the file for the rest",
+        fmt::format("{}: the step from revision {} to {} added no effect and freed no value; undo reverses nothing "
+                    "else, so edit the file by hand",
                     options.experiment.string(), *revision.parent, revision.number));
   return added;
 }
@@ -92,7 +92,8 @@ void run_undo(const CommonOptions& options) {
 
 void add_undo_command(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("undo", "Take back the effect, or the freed value, that was added last");
+  CLI::App* command =
+      program.add_subcommand("undo", "Undo the last add: remove the effect, or fix the freed value again");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   command->callback([options] { run_undo(*options); });

@@ -35,12 +35,14 @@ std::string numbers(const std::vector<RunId>& runs) {
 
 void print(const Verification& found) {
   for (const BrokenSeal& broken : found.seals.broken)
-    fmt::print("run {}, table {}: not what the run ended with: {}\n", broken.run.value, broken.table,
+    fmt::print("run {}, table {}: changed since the run ended: {}\n", broken.run.value, broken.table,
                plain_text(broken.reason));
   for (const std::string& damage : found.damage) fmt::print("{}\n", plain_text(damage));
-  if (!found.seals.not_ended.empty()) fmt::print("not covered, not ended: {}\n", numbers(found.seals.not_ended));
+  if (!found.seals.not_ended.empty())
+    fmt::print("not checked, because they have not ended: {}\n", numbers(found.seals.not_ended));
   if (!found.seals.ended_unsealed.empty())
-    fmt::print("not covered, ended by a version that stored no hashes: {}\n", numbers(found.seals.ended_unsealed));
+    fmt::print("not checked, because an older version stored no hashes for them: {}\n",
+               numbers(found.seals.ended_unsealed));
 }
 
 /// And what `lacuna run --resume`, `replay` and `reproduce` would find.
@@ -67,20 +69,21 @@ void verify_database(const VerifyOptions& options) {
   if (!options.quiet) print(found);
   const std::string name = plain_text(options.database.string());
   if (!found.is_sound())
-    throw Error(name + ": is not what was stored; keep the file, and go back to a backup (lacuna backup makes them)");
+    throw Error(name +
+                ": differs from what was stored; keep the file, and restore a backup (lacuna backup makes them)");
   if (options.quiet) return;
   const std::size_t sealed = found.seals.sealed.size();
   fmt::print("{}: {}\n", name,
-             sealed > 0 ? counted(sealed, "run") + " as stored" : "sound, but no run has hashes to be held against");
+             sealed > 0 ? counted(sealed, "run") + " as stored" : "intact, but no run has hashes to check against");
 }
 
 }  // namespace
 
 void add_verify_command(CLI::App& program) {
   auto options = std::make_shared<VerifyOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("verify", "Hold what a database has against the hashes stored with it");
+  CLI::App* command = program.add_subcommand("verify", "Check a database against its stored hashes");
   add_database_argument(*command, options->database);
-  command->add_flag("--quiet", options->quiet, "Print nothing but what is wrong with the file as a whole");
+  command->add_flag("--quiet", options->quiet, "Print only faults of the file as a whole");
   command->callback([options] { verify_database(*options); });
 }
 

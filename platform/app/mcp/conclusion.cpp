@@ -54,10 +54,10 @@ std::string answer_of(const ordered_json& diagnosis) {
 
 std::string sentence_of_verdict(const std::string& verdict, const ordered_json& diagnosis) {
   if (verdict == "effect_found") return "The model is missing " + answer_of(diagnosis) + ".";
-  if (verdict == "nothing_missing") return "No effect of the library is missing as far as these recordings tell.";
+  if (verdict == "nothing_missing") return "These recordings show no missing effect of the library.";
   if (verdict == "not_in_library")
-    return "A force is missing that no effect of the library describes; result.formulas has its law.";
-  return "These recordings do not tell what is missing; result.findings says why.";
+    return "A force is missing that no effect of the library describes; result.formulas has a formula for it.";
+  return "These recordings cannot show which effect is missing; result.findings says why.";
 }
 
 void add_test_to_record(const ordered_json& diagnosis, const ordered_json& arguments, Conclusion& conclusion) {
@@ -73,7 +73,7 @@ void add_test_to_record(const ordered_json& diagnosis, const ordered_json& argum
   if (const ordered_json setup = diagnosis.value("next_test_setup", ordered_json());
       setup.is_object() && !text_at(setup, "name").empty())
     trial["setup"] = text_at(setup, "name");
-  conclusion.next.push_back(step("trial", "writes the commands of the test that tells the candidates apart", trial));
+  conclusion.next.push_back(step("trial", "writes the commands of the test that separates the candidates", trial));
 }
 
 Conclusion of_diagnosis(const ordered_json& diagnosis, const ordered_json& arguments) {
@@ -83,11 +83,11 @@ Conclusion of_diagnosis(const ordered_json& diagnosis, const ordered_json& argum
   conclusion.more = {{"verdict", verdict}, {"probability", probability}};
   conclusion.sentence += probability.is_number()
                              ? fmt::format(" The verdict is right with probability {}.", probability.dump())
-                             : " No probability is stated for this verdict.";
+                             : " This verdict has no stated probability.";
   if (verdict == "effect_found") {
     ordered_json add = same_experiment(arguments);
     add["answer"] = true;
-    conclusion.next.push_back(step("add", "adds what was found and fits again", add));
+    conclusion.next.push_back(step("add", "adds the effects that were found and fits again", add));
   }
   add_test_to_record(diagnosis, arguments, conclusion);
   return conclusion;
@@ -97,7 +97,7 @@ Conclusion of_comparison(const ordered_json& comparison, const ordered_json& arg
   const std::string advice = text_at(comparison, "advice");
   Conclusion conclusion{advice};
   if (advice.find("lacuna diagnose") != std::string::npos)
-    conclusion.next.push_back(step("diagnose", "finds what is missing", same_experiment(arguments)));
+    conclusion.next.push_back(step("diagnose", "finds the missing effect", same_experiment(arguments)));
   return conclusion;
 }
 
@@ -114,11 +114,11 @@ std::string errors_of_change(const ordered_json& change) {
 
 Conclusion of_change(const ordered_json& change, const ordered_json& arguments) {
   const std::string what = text_at(change, "change"), errors = errors_of_change(change);
-  Conclusion conclusion{what == "undo" ? "The last change of the model is taken back."
+  Conclusion conclusion{what == "undo" ? "The last change of the model is undone."
                                        : fmt::format("{} is in the model. Error on the fit files: {}.", what, errors)};
   if (const std::size_t rises = list_at(change, "rises").size(); rises > 0) {
-    conclusion.sentence += fmt::format(" {} rose, see result.rises.", counted(rises, "error"));
-    conclusion.next.push_back(step("undo", "takes the change back", same_experiment(arguments)));
+    conclusion.sentence += fmt::format(" {} increased, see result.rises.", counted(rises, "error"));
+    conclusion.next.push_back(step("undo", "undoes the change", same_experiment(arguments)));
   }
   conclusion.next.push_back(step("compare", "shows the errors, held-out files included", same_experiment(arguments)));
   return conclusion;
@@ -155,14 +155,15 @@ Conclusion of_done(const Tool& tool, const ordered_json& result, const ordered_j
 Conclusion conclusion_of(const Tool& tool, const ordered_json& arguments, const CallOutcome& outcome) {
   if (outcome.exit_code == kWasDone) return of_done(tool, outcome.result, arguments);
   if (outcome.exit_code == kWasBadInput)
-    return {"Bad input; nothing was done. The notes say where, what and what to do."};
-  if (outcome.exit_code != kWasStopped) return {"The command failed, so nothing may be concluded. The notes say why."};
-  Conclusion stopped{"The command stopped before its end. Call it again with the same arguments to go on."};
+    return {"Bad input; nothing was done. The notes say where the problem is and what to do."};
+  if (outcome.exit_code != kWasStopped)
+    return {"The command failed, so there is nothing to conclude. The notes say why."};
+  Conclusion stopped{"The command stopped before its end. To continue, call it again with the same arguments."};
   if (tool.name == "diagnose" && outcome.result.is_object()) {
     stopped.more = {{"verdict", text_at(outcome.result, "verdict")}, {"probability", nullptr}};
     stopped.sentence = "The verdict is preliminary. " + stopped.sentence;
   }
-  stopped.next.push_back(step(tool.name, "goes on", arguments));
+  stopped.next.push_back(step(tool.name, "continues", arguments));
   return stopped;
 }
 

@@ -18,7 +18,7 @@ ordered_json parsed_line(const std::string& line) {
   } catch (const ordered_json::exception& error) {
     const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 3: ..."
     throw RpcError(RpcCode::parse_error,
-                   "the line is not JSON: " + what.substr(what.find("] ") + 2) + "; send one JSON object a line");
+                   "the line is not JSON: " + what.substr(what.find("] ") + 2) + "; send one JSON object per line");
   }
 }
 
@@ -40,7 +40,7 @@ std::string dumped(const ordered_json& message) {
 RpcMessage read_rpc_message(const std::string& line) {
   const ordered_json json = parsed_line(line);
   if (json.is_array())
-    throw RpcError(RpcCode::invalid_request, "batches of messages are not taken; send one JSON object a line");
+    throw RpcError(RpcCode::invalid_request, "batches of messages are not supported; send one JSON object per line");
   if (!json.is_object()) throw RpcError(RpcCode::invalid_request, "the message is not a JSON object");
   const std::optional<ordered_json> id = id_of(json);
   const ordered_json id_or_null = id.value_or(nullptr);

@@ -20,8 +20,8 @@ constexpr std::size_t kMostWaiting = 32;                                        
 constexpr const char* kInstructions =
     "Lacuna finds the physical effect that a robot model is missing. The order of work: new (from recordings), check, "
     "compare, diagnose, add (answer = true), compare again, until diagnose says nothing_missing. Each answer has a "
-    "conclusion, what to call next, and, of a diagnosis, a verdict with its probability and the test to record next. "
-    "Conclude no more than that. Files are named relative to the folder that the server was started in.";
+    "conclusion and the next calls; a diagnosis also has a verdict with its probability and the test to record next. "
+    "Conclude no more than that. File names are relative to the folder in which the server was started.";
 
 std::string text_or_empty(const ordered_json& object, const char* name) {
   return object.contains(name) && object[name].is_string() ? object[name].get<std::string>() : std::string();
@@ -118,7 +118,8 @@ const Tool& McpServer::find_tool(const RpcMessage& request) const {
 void McpServer::check_new(const ordered_json& id) const {
   const auto has_id = [&](const Call& one) { return one.id == id; };
   if ((running_ && current_.id == id) || std::any_of(waiting_.begin(), waiting_.end(), has_id))
-    throw RpcError(RpcCode::invalid_request, "a call with this \"id\" is under way; give each request its own", id);
+    throw RpcError(RpcCode::invalid_request,
+                   "a call with this \"id\" is still running; give each request a different \"id\"", id);
 }
 
 /// From its revision of 2025-11-25 on the protocol has what an agent can mend told as the tool's answer.
@@ -135,7 +136,7 @@ void McpServer::call(const RpcMessage& request) {
   Call call{*request.id, &find_tool(request), member_object(request, "arguments"), progress_token(request), {}, {}};
   if (waiting_.size() >= kMostWaiting)
     throw RpcError(RpcCode::invalid_request,
-                   fmt::format("{} calls wait already; wait for their answers", waiting_.size()), call.id);
+                   fmt::format("{} calls are waiting already; wait for their answers", waiting_.size()), call.id);
   try {
     call.words = words_of_call(*call.tool, call.arguments, allowed_);
   } catch (const BadInput& faults) {

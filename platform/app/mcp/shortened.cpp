@@ -40,7 +40,7 @@ ordered_json short_or_told(const ordered_json& value) {
   const std::size_t bytes = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace).size();
   if (bytes <= kMostBytes) return value;
   return fmt::format(
-      "{} bytes, left out; ask for less, or name a file for all of it where the tool has the argument json", bytes);
+      "{} bytes, left out; ask for less, or name a file for the whole result if the tool has the argument json", bytes);
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ const std::vector<AgentsCommand>& agents_commands() {
       {{"check"},
        true,
        {"experiment"},
-       "Call it before any other command on an experiment, and after each edit of it."},
+       "Call it before any other command on an experiment, and after each edit of the file."},
       {{"fit"}, false, {}, "compare does this too."},
       {{"compare"},
        false,
        {},
-       "Tells how large the error is in multiples of the noise floor, and where. Each call counts as a look at the "
+       "Gives the error in multiples of the noise floor, and where it is large. Each call counts as a look at the "
        "held-out files."},
       {{"diagnose"},
        false,
@@ -46,21 +46,21 @@ const std::vector<AgentsCommand>& agents_commands() {
       {{"add"},
        false,
        {},
-       "With answer = true it takes over what the last diagnosis found. Edits the experiment file."},
+       "With answer = true it adds the effects that the last diagnosis found. Edits the experiment file."},
       {{"undo"}, false, {}, "Edits the experiment file."},
-      {{"history"}, true, {}, "Costs nothing: it fits nothing and looks at no held-out file."},
-      {{"predict"}, false, {}, "Says what a test would show before anybody carries it out."},
+      {{"history"}, true, {}, "Cheap: it fits nothing and reads no held-out file."},
+      {{"predict"}, false, {}, "Predicts the outcome of a test before it is carried out."},
       {{"trial"},
        false,
        {},
-       "For a recorded target give csv, a file for the commands of the next test on the rig. A target that is a "
-       "program is not started for an agent."},
+       "For a recorded target give csv, a file for the commands of the next test on the rig. An agent may not start a "
+       "target that is a program."},
       {{"export"},
        false,
        {},
-       "Of an experiment, the identified robot: give urdf, mjcf or toml. Of a database, rows: give what, and a file as "
-       "csv, json, npz or mcap."},
-      {{"report"}, false, {"out"}, "For people: the page holds all results of the database."},
+       "From an experiment, the identified robot: give urdf, mjcf or toml. From a database, rows: give what, and a "
+       "file as csv, json, npz or mcap."},
+      {{"report"}, false, {"out"}, "For people: the page shows all results of the database."},
       {{"sql"},
        true,
        {},
@@ -70,7 +70,8 @@ const std::vector<AgentsCommand>& agents_commands() {
       {{"plugins", "show"},
        true,
        {},
-       "Tells an effect's equation, parameters, where it can be placed and what it is mistaken for."},
+       "Gives an effect's equation, its parameters, where it can be placed, and which effects are hard to tell from "
+       "it."},
   };
   return commands;
 }
@@ -136,12 +137,12 @@ ordered_json output_schema() {
       {"type", "object"},
       {"properties",
        {{"exit_code",
-         {{"type", "integer"}, {"description", "0 done, 1 failed, 2 bad input, 75 stopped: call again to go on"}}},
-        {"conclusion", {{"type", "string"}, {"description", "What may be concluded"}}},
+         {{"type", "integer"}, {"description", "0 done, 1 failed, 2 bad input, 75 stopped: call again to continue"}}},
+        {"conclusion", {{"type", "string"}, {"description", "The conclusion that the result supports"}}},
         {"verdict", {{"type", "string"}}},
         {"probability",
-         {{"type", {"number", "null"}}, {"description", "That the verdict is right; null: none is stated"}}},
-        {"record_next", {{"type", {"object", "null"}}, {"description", "The test that would tell more"}}},
+         {{"type", {"number", "null"}}, {"description", "Probability that the verdict is right; null: not stated"}}},
+        {"record_next", {{"type", {"object", "null"}}, {"description", "The most informative next test"}}},
         {"next",
          {{"type", "array"}, {"items", {{"type", "object"}}}, {"description", "Tools to call next, with arguments"}}},
         {"notes", {{"type", "array"}, {"items", {{"type", "string"}}}}},

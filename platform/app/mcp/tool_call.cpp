@@ -58,10 +58,10 @@ ordered_json read_results(const std::filesystem::path& file) {
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(file, missing);
   if (missing) return nullptr;
-  if (size > kMostResult) return fmt::format("{} bytes, not read; ask for less", size);
+  if (size > kMostResult) return fmt::format("{} bytes, too many to read; ask for less", size);
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (nests_too_deep(text)) return "nests too deep to be read";
+  if (nests_too_deep(text)) return "is nested too deeply to be read";
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   return json.is_discarded() ? ordered_json("is not JSON") : json;
 }

@@ -44,7 +44,7 @@ std::string other_readings(const RobotSpec& model, const RobotSpec& target, std:
       return "the controller sees \"" + wanted[c].name + "\", reading " + std::to_string(c + 1) +
              " of the model's robot; the target's has " +
              (c < there.size() ? "\"" + there[c].name + "\" there" : std::to_string(there.size()) + " readings") +
-             "; give both the same sensors in the same order, or name those that they share";
+             "; give both robots the same sensors in the same order, or name the shared ones";
   return {};
 }
 
@@ -54,9 +54,9 @@ void check_controllers(const EeaDefinition& definition, const Experiment& experi
   if (const std::string problem = other_readings(model, target, definition.seen_channels); !problem.empty())
     complaints.add(experiment.test.sensors.empty() ? "target.robot" : "test.sensors", problem);
   if (command_channels(model) != command_channels(target))
-    complaints.add("target.robot",
-                   "its actuators are not those of the model's robot in the same order, which "
-                   "controllers are made for");
+    complaints.add(
+        "target.robot",
+        "its actuators differ from those of the model's robot, and controllers need the same ones in the same order");
 }
 
 /// What models are scored by and the target does not read would count as right, whatever they foretell.
@@ -70,9 +70,10 @@ void check_readings(const EeaDefinition& definition, const RobotSpec& target, Co
     if (!read) missing += (missing.empty() ? "\"" : ", \"") + channel.name + "\"";
   }
   if (missing.empty()) return;
-  complaints.add("estimation.sensors", "models would be scored by " + missing +
-                                           ", which the target does not read; give both robots the same sensors, or "
-                                           "name here those that they share");
+  complaints.add(
+      "estimation.sensors",
+      "models would be scored on " + missing +
+          ", which the target does not measure; give both robots the same sensors, or name the shared ones here");
 }
 
 bool takes_tests(const Rig& rig) { return rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests(); }
@@ -142,7 +143,7 @@ std::optional<Hello> ask_target(const EeaBench& bench) {
   if (!hello.exchanges && !std::holds_alternative<CommandSeries>(test.drive))
     throw_problem(experiment.where("test.encoding"),
                   "test.encoding: " + definition.test_encoding.origin.name +
-                      " makes controllers, and the target takes whole command series only; write encoding = "
+                      " makes controllers, but the target takes only whole command series; write encoding = "
                       "\"command_series\"");
   return hello;
 }

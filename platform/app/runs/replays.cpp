@@ -66,7 +66,7 @@ Replays::Subject Replays::subject_of(Database& database, const EeaRunListing& ru
   const EeaStore store(database, unused, run.run, {});
   const std::vector<PassRow> passes = store.passes();
   const auto best = std::find_if(passes.rbegin(), passes.rend(), [](const PassRow& pass) { return pass.best_model; });
-  if (best == passes.rend()) throw Error(fmt::format("no pass of run {} has ended", run.run.value));
+  if (best == passes.rend()) throw Error(fmt::format("run {} has no finished pass", run.run.value));
   const EeaDefinition& definition = stored.bench->definition();
   return {stored, run, best->number, stored_model(store, definition, *best->best_model), run_trials(store, definition)};
 }
@@ -142,7 +142,7 @@ std::size_t Replays::prepare_run(const Subject& subject, std::size_t most_trials
       if (fault.empty()) fault = fmt::format("trial {} of run {}: {}", trial, subject.run.run.value, error.what());
     }
   }
-  if (!fault.empty()) pages_.add_note("Robots in motion are missing: " + in_a_note(fault));
+  if (!fault.empty()) pages_.add_note("The page Replay has no robots: " + in_a_note(fault));
   return made;
 }
 
@@ -166,7 +166,8 @@ void Replays::prepare_for_report(std::size_t most_bytes) {
       pages_.add_note(fmt::format("The robots of run {} are not shown: {}", run.run.value, in_a_note(error.what())));
     }
   }
-  if (is_full()) pages_.add_note(fmt::format("Robots in motion are shown for {} trials of the newest runs.", made));
+  if (is_full())
+    pages_.add_note(fmt::format("The page Replay shows robots only for {} trials of the newest runs.", made));
 }
 
 }  // namespace lacuna

@@ -54,7 +54,7 @@ std::string how_to_accept(const std::vector<ChangedPlugin>& changed) {
   for (const ChangedPlugin& plugin : changed)
     options.push_back("--accept-plugin " + shell_word(plugin_name(plugin.now)));
   return fmt::format(
-      ", or take the new build{} with {}: the rows so far stay those of the old one, and no single build reproduces "
+      ", or accept the new build{} with {}: the rows so far stay from the old build, and no single build reproduces "
       "the "
       "run",
       changed.size() == 1 ? "" : "s", fmt::join(options, " "));
@@ -67,7 +67,7 @@ std::string difference(const StoredRun& stored, const RunOptions& options, const
   std::vector<std::string> other;
   if (!same_values(result_setting(stored.experiment.text, stored.experiment.overrides),
                    result_setting(file.text, file.overrides))) {
-    if (stored.experiment.text != file.text) other.push_back("another text of this experiment");
+    if (stored.experiment.text != file.text) other.push_back("another version of this experiment");
     if (stored.experiment.overrides != file.overrides) other.push_back(given(stored.experiment.overrides));
   }
   if (options.seed && *options.seed != stored.seed) other.push_back(fmt::format("--seed {}", stored.seed));
@@ -96,13 +96,13 @@ bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBenc
   if (!other.empty()) {
     std::vector<ChangedPlugin> rebuilt = changed;
     std::erase_if(rebuilt, [&](const ChangedPlugin& plugin) { return is_accepted(plugin, options); });
-    plan.left.push_back(fmt::format("run {} was begun with {}; give the same to go on with it{}", run.run.value, other,
+    plan.left.push_back(fmt::format("run {} was begun with {}; to continue it, use the same{}", run.run.value, other,
                                     rebuilt.empty() ? "" : how_to_accept(rebuilt)));
     return false;
   }
   RunClaim claim = claim_by(deadline, database, run.run, silent);
   if (!claim.held()) {
-    plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
+    plan.left.push_back(fmt::format("another process is carrying out run {}", run.run.value));
     plan.taken = true;
     return true;
   }
@@ -122,7 +122,7 @@ std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOpti
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
     const std::string other = difference(stored_run(database, run->run), options, bench);
     if (other.empty()) return run->run;
-    if (of_newest.empty()) of_newest = fmt::format("run {} is done, but was begun with {}", run->run.value, other);
+    if (of_newest.empty()) of_newest = fmt::format("run {} is done, but it was begun with {}", run->run.value, other);
   }
   if (!of_newest.empty()) plan.left.push_back(of_newest);
   return std::nullopt;
@@ -133,8 +133,8 @@ std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOpti
   std::vector<Problem> problems;
   for (const std::string& reason : plan.left) problems.push_back({file, reason});
   problems.push_back({file, plan.taken
-                                ? "has no other run of " + name + " to go on with; wait for that process"
-                                : "has no run of " + name + " to go on with; without --resume a new one begins"});
+                                ? "has no other run of " + name + " to continue; wait for that process"
+                                : "has no run of " + name + " to continue; to begin a new one, leave out --resume"});
   throw BadInput(std::move(problems));
 }
 
@@ -146,8 +146,8 @@ std::vector<ForeignClaim> silent_ones(const Database& database, const std::vecto
   return silent_claims(database, open, [&] {
     if (!quiet)
       fmt::print(stderr,
-                 "{}: another machine, or this one before it was started anew, has begun to carry a run out; waiting "
-                 "{:g} s for a sign that it still does\n",
+                 "{}: another machine, or this one before a restart, began to carry out a run; waiting {:g} s to see "
+                 "whether it still does\n",
                  database.file().string(), kSilence);
   });
 }

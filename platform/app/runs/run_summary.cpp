@@ -20,7 +20,7 @@ std::string target_line(const EeaBench& bench) {
       fmt::format("simulated {}, {}, {}, hidden values {}", target.structure.robot.name,
                   counted(target.free.size(), "hidden value"), counted(target.effects.size(), "effect"),
                   bench.rig().experiment.target.simulated.redraw == Redraw::never ? "the same in every replicate"
-                                                                                  : "drawn anew in each replicate"));
+                                                                                  : "drawn again for each replicate"));
 }
 
 }  // namespace

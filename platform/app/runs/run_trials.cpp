@@ -20,7 +20,7 @@ std::vector<KeptTrial> stored_trials(const EeaStore& store) {
   std::vector<KeptTrial> stored;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string name = fmt::format("trial {}", rows[i].number);
-    if (rows[i].number != static_cast<int>(i)) throw DamagedDatabase(name + " has not the number of its turn");
+    if (rows[i].number != static_cast<int>(i)) throw DamagedDatabase(name + " is out of order");
     if (trials[i].measured.times.size() == 0) throw DamagedDatabase(name + " has no readings");
     Genome genome;
     if (rows[i].test) {

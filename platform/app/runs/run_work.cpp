@@ -64,11 +64,10 @@ void check_kept(const std::vector<ReplicateEnd>& ends, Database& database) try {
   const std::string failures = failures_of(ends), why = lost.what();
   std::string message = failures;
   if (failures.find(why) == std::string::npos) message += why + "\n";
-  message += database.file().string() + " is no longer this run's database";
+  message += database.file().string() + " is no longer the database of this run";
   if (database.has_moved())
     message +=
-        ". To go on with the run, type the same command with --resume and --db FILE, where FILE is the file that holds "
-        "what was stored";
+        ". To continue the run, repeat the command with --resume and --db FILE; FILE is the file with the stored rows";
   throw Error(message);
 }
 
@@ -78,9 +77,9 @@ void judge(const std::vector<ReplicateEnd>& ends, const std::string& command) {
   const bool interrupted = std::any_of(ends.begin(), ends.end(),
                                        [](const ReplicateEnd& end) { return end.ending == RunEnding::interrupted; });
   if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return end.damaged; }))
-    throw Error(failures + "results that were stored before may be lost; run again with --db and another file");
-  const std::string again = command + " goes on from here";
-  if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
+    throw Error(failures + "earlier results may be lost; run again with --db and another file");
+  const std::string again = command + " continues from here";
+  if (!failures.empty()) throw Error(failures + "nothing is lost; correct the cause, then " + again);
   if (interrupted)
     throw Interrupted((time_limit_was_reached() ? stopped_by_time_limit() : "interrupted") + "; " + again);
 }
@@ -122,18 +121,18 @@ std::vector<std::string> not_done(const RunOptions& options, const Experiment& e
                                   bool goes_on) {
   std::vector<std::string> all = plan.left;
   if (goes_on && options.replicates)
-    all.push_back("--replicates counts new runs; those that are there go on, and no new one begins");
+    all.push_back("--replicates is ignored: --resume continues existing runs and begins no new ones");
   if (!experiment.sweep.empty() && options.task.empty())
     all.push_back(experiment.file.string() +
-                  " has a [sweep], which `lacuna plan` carries out; this run takes the file's own values");
+                  " has a [sweep], which only `lacuna plan` uses; this run takes the values of the other sections");
   return all;
 }
 
 /// A supervisor types the same line again, whatever became of the run.
 void say_finished(const RunOptions& options, const std::string& experiment, RunId run, const std::string& database) {
   fmt::print(takes_standard_output(options.json) ? stderr : stdout,
-             "{} is finished: run {} in {} is done. Without --resume a new run begins\n→ lacuna runs {}\n", experiment,
-             run.value, database, shell_word(database));
+             "{} is finished: run {} in {} is done. To begin a new run, leave out --resume\n→ lacuna runs {}\n",
+             experiment, run.value, database, shell_word(database));
 }
 
 }  // namespace
@@ -153,11 +152,10 @@ void carry_out_run(const RunOptions& options) {
     for (const std::string& reason : not_done(options, bench.rig().experiment, plan, goes_on))
       fmt::print(stderr, "{}\n", reason);
   for (const auto& [run, plugin] : plan.rebuilt)
-    fmt::print(
-        stderr,
-        "run {} goes on with another build of {}; its rows so far are of the build with SHA-256 {:.12}…: no single "
-        "build reproduces the run\n",
-        run.value, plugin.now.file, plugin.before.sha256);
+    fmt::print(stderr,
+               "run {} continues with another build of {}; its rows so far come from the build with SHA-256 {:.12}…, "
+               "so no single build reproduces the run\n",
+               run.value, plugin.now.file, plugin.before.sha256);
   if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
   RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);

@@ -24,7 +24,7 @@ void check_follows(const EeaStore& store, const EeaState& state, std::size_t tri
   const auto missing = [](std::uint64_t numbered, const auto& row_of) {
     return row_of(numbered) || (numbered > 0 && !row_of(numbered - 1));
   };
-  const char* const end = " do not follow from the checkpoint; go back to a backup, or run again without --resume";
+  const char* const end = " do not match the checkpoint; restore a backup, or run again without --resume";
   if (state.trials.size() != trials)
     throw DamagedDatabase(fmt::format("its {} trials{}, which has {}", trials, end, state.trials.size()));
   if (missing(state.models, [&](std::uint64_t number) { return store.model(number).has_value(); }))

@@ -19,7 +19,7 @@ std::unique_ptr<EeaBench> open_bench(const CommonOptions& options, const std::st
     Rig rig = open_rig(options, text, std::move(catalog));
     if (program == StoredProgram::refused)
       rig.experiment.target.process.refused =
-          "target.command: the database names this program, not a file of yours, so it is not started";
+          "target.command: this program is named by the database, not by a file of yours, so it is not started";
     return std::make_unique<EeaBench>(std::move(rig));
   } catch (const BadInput& bad) {
     if (options.experiment.is_absolute() || std::filesystem::exists(options.experiment)) throw;
@@ -58,9 +58,9 @@ std::string visible_word(const std::string& word) {
 EeaRunListing choose_run(const Database& database, std::optional<std::int64_t> number) {
   const std::vector<EeaRunListing> runs = eea_runs(database);
   const SourceLocation file{database.file().string()};
-  if (runs.empty()) throw_problem(file, "has no run; lacuna run FILE makes one");
+  if (runs.empty()) throw_problem(file, "has no run; make one: lacuna run FILE");
   if (!number && runs.size() > 1)
-    throw_problem(file, fmt::format("has {} runs; choose one with --run, lacuna runs lists them", runs.size()));
+    throw_problem(file, fmt::format("has {} runs; choose one with --run (lacuna runs lists them)", runs.size()));
   if (!number) return runs.front();
   const auto found =
       std::find_if(runs.begin(), runs.end(), [&](const EeaRunListing& run) { return run.run.value == *number; });
@@ -83,8 +83,8 @@ StoredBench open_stored(const Database& database, const EeaRunListing& run, Comm
     stored.doubts.push_back(fmt::format("run {} was begun with {}; digits may differ", run.run.value, changed));
   for (const PluginFileRecord& earlier : stored.run.earlier_plugins)
     stored.doubts.push_back(
-        fmt::format("run {} went on with another build of a plugin: {}; its rows come from both builds", run.run.value,
-                    earlier.file));
+        fmt::format("run {} continued with another build of a plugin: {}; its rows come from both builds",
+                    run.run.value, earlier.file));
   return stored;
 }
 

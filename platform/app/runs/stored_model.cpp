@@ -33,10 +33,9 @@ std::vector<double> without_gaps(std::vector<double> scores) {
 StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
   const std::optional<ModelRow> row = store.model(number);
   if (!row)
-    throw_problem({},
-                  fmt::format("--model {}: the run has no such model; lacuna runs says how many it has, and they count "
-                              "from 0",
-                              number));
+    throw_problem({}, fmt::format("--model {}: the run has no such model; models are numbered from 0, and lacuna runs "
+                                  "lists how many there are",
+                                  number));
   StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
   std::vector<ScoredTrial> observed;
   const std::vector<int> set_aside = set_aside_in(store, row->pass);

@@ -59,7 +59,7 @@ EeaBench open_worker_bench(const WorkerTask& task) {
   options.plugin_paths = task.plugin_paths;
   EeaBench bench(open_rig_without_trials(options, task.text));
   if (digests_of(bench) != task.files)
-    throw Error("a plugin or a robot file was changed since the run began; put it back, or begin another run");
+    throw Error("a plugin or a robot file has changed since the run began; restore it, or begin another run");
   return bench;
 }
 

@@ -59,7 +59,7 @@ void do_work(const Work& work, const std::filesystem::path& database, bool goes_
 void check_inputs(const TaskFolder& folder, const Task& task) {
   ProblemList problems;
   for (const std::string& changed : changed_inputs(folder.plan(), task))
-    problems.add({folder.path().string()}, changed + "; put it back, or make a new plan");
+    problems.add({folder.path().string()}, changed + "; restore it, or make a new plan");
   problems.throw_if_any();
 }
 
@@ -80,7 +80,7 @@ bool take_checkpoint(const Work& work, const std::filesystem::path& database) {
   const auto fault = why_not_of_task(database, work.folder.task(work.number), TaskDatabase::checkpoint);
   if (!fault) return true;
   std::filesystem::remove(database);
-  fmt::print(stderr, "{}: {}; it is kept as {}, and the task begins anew\n",
+  fmt::print(stderr, "{}: {}; it is kept as {}, and the task starts again\n",
              work.folder.checkpoint(work.number).string(), plain_text(fault->reason),
              work.folder.put_checkpoint_aside(work.number).string());
   return false;

@@ -42,7 +42,7 @@ std::vector<SweptKey> typed_keys(const std::vector<std::string>& typed) {
   for (const std::string& text : typed) try {
       SweptKey key = read_sweep(text);
       if (std::any_of(keys.begin(), keys.end(), [&](const SweptKey& other) { return other.first == key.first; }))
-        problems.add({}, "--sweep " + text + ": the key is swept twice; name all its values at once");
+        problems.add({}, "--sweep " + text + ": this key is swept twice; name all values in one --sweep");
       keys.push_back(std::move(key));
     } catch (const Error& wrong) {
       problems.add({}, wrong.what());
@@ -89,7 +89,7 @@ void add_tasks(const PlanOptions& options, const CommonOptions& point, TaskPlan&
   task.seed = options.seed.value_or(rig.experiment.seed);
   task.inputs = inputs_of(options.kind, rig, inputs);
   if (options.kind == TaskKind::diagnosis && rig.trials.empty())
-    throw_problem({point.experiment.string()}, "has no recorded trials, without which nothing can be diagnosed");
+    throw_problem({point.experiment.string()}, "has no recorded trials; a diagnosis needs some");
   const int replicates = options.kind == TaskKind::run ? options.replicates.value_or(rig.experiment.replicates) : 1;
   if (options.kind == TaskKind::run) const EeaBench ready(std::move(rig));  // says what keeps it from running
   for (task.replicate = 1; task.replicate <= replicates; ++task.replicate) {
@@ -105,7 +105,7 @@ void check_settings(const std::vector<std::string>& overrides, const std::vector
     for (const SweptKey& key : swept)
       if (key.first == overridden_key(setting))
         problems.add({},
-                     fmt::format("--set {0}: the key is swept; leave it out, or give it this value alone: --sweep {0}",
+                     fmt::format("--set {0}: this key is swept; leave out --set, or sweep only this value: --sweep {0}",
                                  setting));
   problems.throw_if_any();
 }
@@ -154,7 +154,7 @@ void check_different(const TaskPlan& plan, ProblemList& problems) {
     const auto [named, is_first] = file_of.try_emplace(task.name, task.experiment);
     if (named->second != task.experiment)
       problems.add({task.experiment.string()},
-                   fmt::format("is called {}, as {} is; give each experiment a name of its own", task.name,
+                   fmt::format("has the name {}, which {} has too; give each experiment a different name", task.name,
                                named->second.string()));
   }
 }

@@ -36,19 +36,20 @@ void check_options(const RunOptions& options, const SlurmOptions& slurm) {
     const char* name;
     const char* instead;
   };
-  constexpr const char* kBySbatch = "give Slurm its own limits by --sbatch";
-  const Given given[] = {{options.json.has_value(), "--json", "`lacuna status` tells how far the tasks are"},
-                         {options.threads > 0, "--threads", kBySbatch},
-                         {options.isolate.has_value(), "--isolate and --no-isolate", "tasks choose by their plugins"},
-                         {options.resume, "--resume", "the same command again submits what is not done"},
-                         {has_time_limit(), "--time-limit", kBySbatch}};
+  constexpr const char* kBySbatch = "give Slurm limits with --sbatch";
+  const Given given[] = {
+      {options.json.has_value(), "--json", "`lacuna status` prints the progress of the tasks"},
+      {options.threads > 0, "--threads", kBySbatch},
+      {options.isolate.has_value(), "--isolate and --no-isolate", "each task chooses by its plugins"},
+      {options.resume, "--resume", "repeat the same command to submit unfinished tasks"},
+      {has_time_limit(), "--time-limit", kBySbatch}};
   ProblemList problems;
   for (const Given& option : given)
     if (option.is_given)
       problems.add({}, fmt::format("--executor slurm does not take {}; {}", option.name, option.instead));
   for (const std::string& word : slurm.sbatch)
     if (word.starts_with("--ar") || word.starts_with("-a"))  // sbatch takes beginnings of names, too
-      problems.add({}, "--sbatch " + word + ": the array is that of the tasks; leave it out");
+      problems.add({}, "--sbatch " + word + ": Lacuna sets the array of tasks; leave this option out");
   problems.throw_if_any();
 }
 
@@ -70,7 +71,7 @@ void add_slurm_options(CLI::App& command, SlurmOptions& options) {
   command
       .add_option_function<std::string>(
           "--executor", [&options](const std::string& name) { options.wanted = name == "slurm"; },
-          "Where the replicates run: local (default), or slurm, which gets each as a task of a job array")
+          "Where replicates run: local (default), or slurm, as tasks of a job array")
       ->option_text("local|slurm")
       ->check(CLI::IsMember({"local", "slurm"}));
   command

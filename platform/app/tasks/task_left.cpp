@@ -25,10 +25,11 @@ void note_end(const TaskFolder& folder, const TaskLeft& left, const ChildLoss& l
 
 void say_where_it_is(const TaskFolder& folder, std::size_t number) {
   if (folder.is_done(number)) return tell(fmt::format("another process has done task {}", number));
-  const char* const found = std::filesystem::exists(folder.checkpoint(number)) ? "found until then is its checkpoint"
-                                                                               : "done until then was not stored yet";
-  tell(fmt::format("what task {} has {}; to continue: lacuna task run {} {}", number, found,
-                   shell_word(folder.path().string()), number));
+  const char* const found = std::filesystem::exists(folder.checkpoint(number))
+                                ? "has a checkpoint with its results so far"
+                                : "has no stored results yet";
+  tell(fmt::format("task {} {}; to continue: lacuna task run {} {}", number, found, shell_word(folder.path().string()),
+                   number));
 }
 
 void hand_in(const TaskLeft& left, const ChildLoss& loss) {
@@ -49,7 +50,7 @@ void hand_in(const TaskLeft& left, const ChildLoss& loss) {
 
 std::string where_it_stays(const std::filesystem::path& folder, std::size_t number,
                            const std::filesystem::path& scratch) {
-  return fmt::format("what was found until then is in {}; the task goes on from there after: cp {} {}",
+  return fmt::format("the results so far are in {}; to let the task continue from them, run: cp {} {}",
                      scratch.string(), shell_word((scratch / "shard.db").string()),
                      shell_word(checkpoint_in(folder, number).string()));
 }

@@ -22,7 +22,7 @@ bool messages_are_json() {
   if (wanted == nullptr || *wanted == '\0' || std::string_view(wanted) == "text") return false;
   if (std::string_view(wanted) == "json") return true;
   throw_problem({}, "environment variable LACUNA_MESSAGES: \"" + std::string(wanted) +
-                        "\" is no form of messages; set it to json or text, or unset it");
+                        "\" is not a message format; set it to json or text, or unset it");
 }
 
 std::string progress_message(const Progress& progress) {

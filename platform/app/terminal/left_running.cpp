@@ -36,8 +36,10 @@ void LeftRunning::end() const {
   if (has_children_of_others_ || !has_children()) return;
   const std::vector<pid_t> left = processes_to_end();
   if (left.empty()) return;
-  tell(fmt::format("lacuna: ended what this command had left running: {}; a plugin or the target's program began it",
-                   named(left)));
+  tell(
+      fmt::format("lacuna: ended processes that were still running after the command: {}; a plugin or the target's "
+                  "program had started them",
+                  named(left)));
   end_descendants(kGraceOfLeft);
 }
 

@@ -61,7 +61,7 @@ bool is_database(const fs::path& file) {
 void refuse_database_as_experiment(const std::string& file) {
   if (!is_database(file)) return;
   const std::string experiment = experiment_of(file);
-  throw_problem({file}, "is a database, and an experiment file is wanted: " +
+  throw_problem({file}, "is a database, but this command needs an experiment file: " +
                             line_with(experiment.empty() ? "FILE.toml" : experiment, file));
 }
 
@@ -70,8 +70,8 @@ void refuse_experiment_as_database(const std::string& file) {
   const std::string database = database_of(file);
   const bool is_there = why_no_regular_file(database).empty();
   throw_problem({file},
-                "is an experiment file, and a database is wanted: " + line_with(database, file) +
-                    (is_there ? "" : "; this folder has none yet, lacuna compare " + shell_word(file) + " makes it"));
+                "is an experiment file, but this command needs a database: " + line_with(database, file) +
+                    (is_there ? "" : "; it does not exist yet, make it with lacuna compare " + shell_word(file)"));
 }
 
 }  // namespace lacuna

@@ -67,7 +67,7 @@ void refuse_empty(const std::filesystem::path& database) {
   std::error_code missing;
   if (std::filesystem::file_size(database, missing) == 0 && !missing)
     throw_problem({database.string()},
-                  "is empty; `lacuna compare` and `lacuna run` make a database from an experiment file");
+                  "is empty; make a database from an experiment file with `lacuna compare` or `lacuna run`");
 }
 
 void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases) {
@@ -109,10 +109,10 @@ void add_work_options(CLI::App& command, CommonOptions& options) {
       .add_option("--db", options.database, "Database file (default: the experiment's name with .db, in this folder)")
       ->option_text("FILE")
       ->each(note_database);
-  command.add_option("--threads", options.threads, "Threads (default: one a processor)")
+  command.add_option("--threads", options.threads, "Threads (default: one per processor)")
       ->option_text("N")
       ->check(whole_number(1, kMostThreads));
-  command.add_option("--seed", options.seed, "Seed, instead of the file's")->option_text("N")->check(whole_number(0));
+  command.add_option("--seed", options.seed, "Seed (default: the file's)")->option_text("N")->check(whole_number(0));
   add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
   command.add_flag("--quiet", options.quiet, "Print results only");
 }

@@ -29,7 +29,7 @@ CommandFiles& files() {
   return files;
 }
 
-constexpr const char* kWhatToDo = "give the results another file";
+constexpr const char* kWhatToDo = "choose another file for the results";
 
 /// SQLite keeps these beside a database while it is open, and replays what it finds in them.
 bool is_log_of(const fs::path& output, const fs::path& input) {
@@ -53,7 +53,7 @@ void refuse_input(const fs::path& output) {
 /// Of files and folders alike.
 void note_output(const fs::path& output) {
   for (const fs::path& other : files().outputs)
-    if (are_one_file(output, other)) refuse(output, "is named by two options; give each its own file");
+    if (are_one_file(output, other)) refuse(output, "is named by two options; name two different files");
   refuse_input(output);
   files().outputs.push_back(output);
 }
@@ -100,7 +100,7 @@ bool takes_standard_output(const std::optional<std::string>& option) { return op
 
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other) {
   if (takes_standard_output(option) && takes_standard_output(other))
-    throw_problem({}, "--json and --csv cannot both go to standard output; give one of them a file");
+    throw_problem({}, "--json and --csv cannot both go to standard output; name a file for one of them");
   for (const std::optional<std::string>& file : {option, other}) {
     if (!file || file->empty()) continue;
     check_file(*file);

@@ -29,7 +29,7 @@ void sync_folder(const std::filesystem::path& folder) {
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw Error(file.string() + ": cannot be read; check that the file exists and its permissions");
+  if (!stream) throw Error(file.string() + ": cannot be read; check that it exists, and its permissions");
   return text;
 }
 
@@ -56,7 +56,8 @@ TextReplacement::TextReplacement(const std::filesystem::path& file, std::string 
 
 void TextReplacement::publish() {
   if (read_text(file_) != old_text_)
-    throw Error(file_.string() + ": was changed by someone else meanwhile; nothing was written, run the command again");
+    throw Error(file_.string() +
+                ": was changed by another program during this command; nothing was written, run the command again");
   new_.publish();
   published_ = true;
   sync_folder(std::filesystem::canonical(file_).parent_path());

@@ -49,7 +49,8 @@ ScratchFolder::ScratchFolder() {
   if (missing) throw Error("the folder for temporary files ($TMPDIR) cannot be used: " + missing.message());
   remove_stale_ones(place);
   std::string name = (place / name_here()).string() + "XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
+  if (mkdtemp(name.data()) == nullptr)
+    throw Error(fmt::format("{}: cannot be created: {}", name, std::strerror(errno)));
   path_ = name;
   lock_ = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   ::flock(lock_, LOCK_EX | LOCK_NB);

@@ -48,10 +48,10 @@ void end_by(int signal, const sigset_t& mask) {
   sigprocmask(SIG_UNBLOCK, &only, nullptr);
 }
 
-constexpr const char* kPluginsFault = "; that is a fault of the plugin: repair it, or do without this component";
-constexpr const char* kDatabaseIsSafe = "; what was committed to the database is kept";
+constexpr const char* kPluginsFault = "; this is a fault of the plugin: repair it, or leave out this component";
+constexpr const char* kDatabaseIsSafe = "; the database keeps all committed results";
 constexpr const char* kKilledByOthers =
-    "; another program ended it, as the system does where memory is used up (`dmesg` names it then)";
+    "; another program killed it, or the system did because memory ran out (see `dmesg`)";
 
 /// Why it was killed, as far as one can tell.
 std::string killer() {
@@ -65,13 +65,13 @@ std::string name_of(const ActiveCall& call) { return call.component + ": " + cal
 
 ChildLoss by_overdue(const ActiveCall& call) {
   const std::string fact =
-      fmt::format("an evaluation took longer than {:g} s, the limit", CallPage::evaluation_limit());
-  constexpr const char* kRaise = "raise the limit with --evaluation-limit where the model needs more";
+      fmt::format("an evaluation took longer than the limit, {:g} s", CallPage::evaluation_limit());
+  constexpr const char* kRaise = "if the model needs more time, raise --evaluation-limit";
   if (call.component.empty())
     return {"", fact, fmt::format("lacuna: {}, and was ended; {}{}", fact, kRaise, kDatabaseIsSafe), true};
   const std::string deed = fmt::format("{}: {}", name_of(call), fact);
   return {call.component, deed,
-          fmt::format("{}, and was ended; repair the plugin, do without this component, or {}{}", deed, kRaise,
+          fmt::format("{}, and was ended; repair the plugin, leave out this component, or, {}{}", deed, kRaise,
                       kDatabaseIsSafe),
           true};
 }
@@ -94,10 +94,10 @@ ChildLoss by_signal_of_others(int signal) {
 }
 
 ChildLoss by_slow_call(const ActiveCall& call, double limit) {
-  const std::string deed = fmt::format("{} took longer than {:g} s, the limit", name_of(call), limit);
+  const std::string deed = fmt::format("{} took longer than the limit, {:g} s", name_of(call), limit);
   return {call.component, deed,
-          fmt::format("{}, and was ended; repair the plugin, do without this component, or, where it needs that long, "
-                      "raise the limit with --evaluation-limit{}",
+          fmt::format("{}, and was ended; repair the plugin, leave out this component, or, if it needs that long, "
+                      "raise --evaluation-limit{}",
                       deed, kDatabaseIsSafe),
           true};
 }
@@ -107,7 +107,8 @@ ChildLoss by_stopped(const ActiveCall& call) {
   return {call.component, deed, fmt::format("{}{}{}", deed, kPluginsFault, kDatabaseIsSafe), true};
 }
 
-constexpr const char* kOutsideOfCalls = "outside of all calls, as in a thread that it started or a destructor";
+constexpr const char* kOutsideOfCalls =
+    "outside of all calls, for example in a thread that it started or in a destructor";
 
 /// A component's name ends in its file.
 bool is_of(const std::string& library, const ActiveCall& call) {
@@ -117,7 +118,8 @@ bool is_of(const std::string& library, const ActiveCall& call) {
 /// "; plugins loaded from elsewhere than the program: a.so, b.so"; empty: there are none.
 std::string suspects() {
   const std::vector<std::string> files = PluginLibraries::of_others();
-  return files.empty() ? "" : fmt::format("; plugins that did not come with the program: {}", fmt::join(files, ", "));
+  return files.empty() ? ""
+                       : fmt::format("; plugins in use that did not come with the program: {}", fmt::join(files, ", "));
 }
 
 ChildLoss by_library(const WatchedEnd& end, const std::string& file) {
@@ -127,17 +129,16 @@ ChildLoss by_library(const WatchedEnd& end, const std::string& file) {
 
 ChildLoss by_nobody(const WatchedEnd& end) {
   const std::string deed =
-      fmt::format("the process {} before its work was done, in no call of a plugin", ChildEnding{end.status}.phrase());
+      fmt::format("the process {} before its work was done, outside of plugin calls", ChildEnding{end.status}.phrase());
   if (was_killed(end)) return {"", deed, fmt::format("lacuna: {}{}{}", deed, killer(), kDatabaseIsSafe)};
   const std::string others = suspects();
   const std::string memory = crash_for_want_of_memory();
-  const char* const whose = others.empty()
-                                ? "that is a fault of the program or of a library: please report the command"
-                                : "that is a fault of the program, of a library, or of a thread that a plugin "
-                                  "started: do without these plugins, or please report the command";
+  const char* const whose = others.empty() ? "this is a fault of the program or of a library; please report the command"
+                                           : "this is a fault of the program, of a library, or of a thread that a "
+                                             "plugin started; leave out these plugins, or please report the command";
   return {"", deed,
-          fmt::format("lacuna: {}{}; {}{}{}", deed, others, memory,
-                      memory.empty() ? "" : "; where that does not help, ", whose) +
+          fmt::format("lacuna: {}{}; {}{}{}", deed, others, memory, memory.empty() ? "" : "; if that does not help, ",
+                      whose) +
               kDatabaseIsSafe};
 }
 
@@ -173,7 +174,7 @@ bool begins_anew(const WatchedEnd& end, const ChildLoss& loss) {
   if (end.asked || loss.component.empty() || !CallPage::allows_new_beginning() || CallPage::refusal_of(loss.component))
     return false;
   CallPage::refuse({loss.component, loss.deed + kPluginsFault});
-  fmt::print(stderr, "{}; the command begins again without it\n", loss.deed);
+  fmt::print(stderr, "{}; the command starts again without it\n", loss.deed);
   return true;
 }
 
@@ -184,9 +185,9 @@ int exit_code_of(const WatchedEnd& end) {
   const std::string library = PluginLibraries::culprit();
   const std::string who = library.empty() ? "a destructor or an exit handler of a plugin" : library;
   const std::string what = end.reason == EndedFor::lingering
-                               ? fmt::format("did not end for {:g} s, and was ended,", end.limit)
+                               ? fmt::format("did not end within {:g} s, and was ended,", end.limit)
                                : ChildEnding{end.status}.phrase();
-  tell(fmt::format("lacuna: the process {} after its work was done, which is complete; {} did that{}", what, who,
+  tell(fmt::format("lacuna: the process {} after its work was complete; no result is lost. Caused by {}{}", what, who,
                    library.empty() ? suspects() : ""));
   return was_signalled ? kEndedBadly : std::max(WEXITSTATUS(end.status), CallPage::exit_code());
 }

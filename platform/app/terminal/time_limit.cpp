@@ -40,7 +40,7 @@ double parse_duration(const std::string& option, const std::string& text) {
   if (!is_time && quantity.unit != "1")
     refuse_limit(option, text, quantity.unit + " is not a unit of time; " + how_to_write(option));
   if (!std::isfinite(quantity.value_in_si)) refuse_limit(option, text, "is not a duration; " + how_to_write(option));
-  if (quantity.value_in_si <= 0.0) refuse_limit(option, text, "a limit must be longer than 0");
+  if (quantity.value_in_si <= 0.0) refuse_limit(option, text, "must be longer than 0");
   return quantity.value_in_si;
 }
 
@@ -54,7 +54,7 @@ void add_time_limit_option(CLI::App& command) {
             const bool has_unit = text.find_first_not_of("0123456789.+e ") != std::string::npos;
             begin_time_limit(seconds, has_unit ? shell_word(text) : text + " s");
           },
-          "End after so long with what is known by then (exit code 75): 300, \"5 min\"")
+          "Stop after this time and keep the results so far (exit code 75): 300, \"5 min\"")
       ->option_text("DURATION");
 }
 
@@ -67,7 +67,7 @@ void add_evaluation_limit_option(CLI::App& command) {
       .add_option_function<std::string>(
           "--evaluation-limit",
           [](const std::string& text) { CallPage::limit_evaluations(parse_duration("--evaluation-limit", text)); },
-          "How long a single simulation of a model may take (default: 2 min)")
+          "Time limit of one simulation of a model (default: 2 min)")
       ->option_text("DURATION");
 }
 

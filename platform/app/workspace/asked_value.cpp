@@ -17,19 +17,20 @@ std::string objection(const std::string& wanted, const std::vector<std::string>&
   if (wanted.empty()) return "";
   for (const FreeValue& free : base.free)
     if (free.address == wanted) return "; " + wanted + " is fitted already";
-  return "; " + wanted + " is none" + did_you_mean(wanted, addresses);
+  return "; there is no value " + wanted + did_you_mean(wanted, addresses);
 }
 
 void check_start(const std::map<std::string, double>& start, const std::string& name,
                  const std::pair<double, double>& range) {
   for (const auto& [key, value] : start) {
     if (key != name)
-      throw_problem({}, fmt::format("add wrong_value: --start {}: the value is called {}: write --start {}=NUMBER", key,
-                                    name, name));
+      throw_problem(
+          {}, fmt::format("add wrong_value: --start {}: the value is {}; write --start {}=NUMBER", key, name, name));
     if (value < range.first || value > range.second)
       throw_problem(
-          {}, fmt::format("add wrong_value: --start {}={}: begin between {} and {}, where the value is looked for", key,
-                          value, range.first, range.second));
+          {},
+          fmt::format("add wrong_value: --start {}={}: is outside the search range; choose a start between {} and {}",
+                      key, value, range.first, range.second));
   }
 }
 
@@ -39,8 +40,7 @@ EffectEntry asked_value(const std::vector<std::string>& where, const std::string
                         const std::vector<std::string>& fixed, const std::map<std::string, double>& start,
                         const ModelDefinition& base) {
   if (!id.empty() || !fixed.empty())
-    throw_problem({},
-                  "add wrong_value: a value of the robot has its own name and is fitted; leave out --id and --fixed");
+    throw_problem({}, "add wrong_value: a freed value has no id and is always fitted; leave out --id and --fixed");
   const std::vector<EffectEntry> entries = wrong_values(base);
   std::vector<std::string> addresses;
   for (const EffectEntry& entry : entries) addresses.push_back(entry.where.front());

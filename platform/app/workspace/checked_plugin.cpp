@@ -76,7 +76,7 @@ void check_plugin_file(CheckPluginOptions options) {
   const auto bad =
       static_cast<std::size_t>(std::count_if(checks.components.begin(), checks.components.end(),
                                              [](const ComponentChecks& component) { return !component.passed(); }));
-  throw Error(fmt::format("{}: {} failed; mend what the lines marked FAILED name", options.file.string(),
+  throw Error(fmt::format("{}: {} failed; repair the plugin where the output says FAILED", options.file.string(),
                           checks.components.empty() ? "the handshake" : counted(bad, "component")));
 }
 
@@ -85,11 +85,10 @@ void check_plugin_file(CheckPluginOptions options) {
 void add_check_plugin_command(CLI::App& plugins) {
   auto options =
       std::make_shared<CheckPluginOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* check = plugins.add_subcommand("check", "Try what a plugin library does, in processes of its own");
+  CLI::App* check = plugins.add_subcommand("check", "Check a plugin library by calls in separate processes");
   check->add_option("file", options->file, "The plugin library")->required()->option_text("FILE.so");
-  check->add_option("--sample", options->sample, "A sound file of the format that the plugin reads")
-      ->option_text("FILE");
-  check->add_flag("--carry-out", options->carry_out, "Have targets carry a test out: a rig moves");
+  check->add_option("--sample", options->sample, "Valid file of the format that the plugin reads")->option_text("FILE");
+  check->add_flag("--carry-out", options->carry_out, "Let targets carry out a test (a real rig moves)");
   add_result_option(*check, "json", options->json, "Results as JSON, to standard output or FILE");
   check->callback([options] { check_plugin_file(*options); });
 }

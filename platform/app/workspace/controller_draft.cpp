@@ -157,14 +157,14 @@ std::string controllers_text(const RigDraft& draft) {
   const std::vector<ControlledColumns> all = controlled_columns(draft.guess);
   if (all.empty() || !draft.first_file) return "";
   std::string text =
-      "\n# A set point is recorded, so a controller probably made these commands. Disturbances bias what is fitted to "
+      "\n# A set point is recorded, so a controller probably made these commands. Disturbances bias values fitted to "
       "them.\n"
       "# Check the law and remove the \"# \": diagnose then tests for this bias, and drive = \"controllers\" in "
       "[target]\n"
       "# simulates models with the controller.\n# [target.controllers]\n";
   for (const ControlledColumns& one : all) {
     const std::optional<FittedLaw> law = law_of(*draft.first_file, draft.guess.time, one);
-    text += law ? fmt::format("# fitted to {}: it explains all but {:.2g} % of the command's deviation\n",
+    text += law ? fmt::format("# fitted to {}: explains all but {:.2g} % of the command's variation\n",
                               plain_text(draft.first_file->label()), 100.0 * law->left)
                 : "# no proportional, integral and derivative gains explain these commands: fill in the law of the "
                   "controller\n";

@@ -58,7 +58,7 @@ std::string question_of_place(const std::string& effect, const std::vector<Eleme
   std::vector<std::string> names;
   std::transform(kinds.begin(), kinds.end(), std::back_inserter(names), plural);
   const std::string acts = fmt::format("{} acts on {}", effect, fmt::join(names, " and "));
-  if (places.empty()) return acts + ", and the robot has none";
+  if (places.empty()) return acts + ", which this robot does not have";
   return fmt::format("say where: --where {} ({})", fmt::join(places, " or --where "), acts);
 }
 

@@ -25,7 +25,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench) {
   const Rig& rig = bench.rig();
   const std::optional<KeptFits> before = bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
   if (before && !options.quiet)
-    fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(before->size(), "model"));
+    fmt::print(stderr, "continuing: {} known from an earlier call\n", counted(before->size(), "model"));
   ProgressLine line(options.quiet);
   return find_missing_effects({.experiment = rig.experiment,
                                .catalog = *rig.catalog,

@@ -49,7 +49,7 @@ std::optional<std::string> accepted(const DraftBlank& blank, const std::string& 
     if (!blank.column.empty()) {
       const std::optional<Unit> unit = parse_unit(answer), channel = parse_unit(blank.channel_unit);
       if (unit && channel && unit->same_dimension(*channel)) return answer;
-      reason = unit ? fmt::format("it is to become {}; a column in {} needs a gain, which is left to the file",
+      reason = unit ? fmt::format("the channel is in {}; a column in {} needs a gain, so write both in the file",
                                   blank.channel_unit, answer)
                     : "known units are " + known_units();
       return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<std::string> accepted(const DraftBlank& blank, const std::string& 
       const Quantity quantity = parse_quantity(answer);
       if (quantity.unit == "1") return answer + " " + blank.wanted;
       if (quantity.parsed.same_dimension(*unit)) return answer;
-      reason = "it is to be in " + blank.wanted;
+      reason = "the unit must be " + blank.wanted;
       return std::nullopt;
     }
   } catch (const Error& error) {
@@ -143,7 +143,7 @@ std::string with_answers(const RigDraft& draft, const std::string& name, const s
   while (std::getline(lines, line)) {
     if (line.starts_with('[')) section = line.substr(0, line.find("]") + 1);
     const bool has_blank = in && !line.starts_with('#') && line.find('"' + std::string(kBlank)) != std::string::npos;
-    if (has_blank && !is_said) out << plain_text(name) << ": Enter takes what is in brackets\n";
+    if (has_blank && !is_said) out << plain_text(name) << ": press Enter to take the value in brackets\n";
     is_said = is_said || has_blank;
     all += (has_blank ? line_with_answers(draft, section, line, in, out) : line) + "\n";
   }

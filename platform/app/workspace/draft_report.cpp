@@ -43,9 +43,8 @@ void print_runs(const RigDraft& draft) {
 void print_track(const RigGuess& guess) {
   for (const MatchedColumn& sensor : guess.sensors)
     if (const std::optional<GuessedTrack>& track = sensor.column.track)
-      std::printf(
-          "  %-18s a circle of radius %.4g m about (%.4g m, %.4g m), which the points miss by %.2g mm on average\n",
-          "track", track->radius, track->pivot_x, track->pivot_y, 1e3 * track->scatter);
+      std::printf("  %-18s points on a circle of radius %.4g m about (%.4g m, %.4g m), mean distance from it %.2g mm\n",
+                  "track", track->radius, track->pivot_x, track->pivot_y, 1e3 * track->scatter);
 }
 
 void print_column(const std::string& what, const GuessedColumn& column, const std::string& reason) {
@@ -106,8 +105,9 @@ void print_guesses(const RigDraft& draft) {
   print_track(guess);
   for (const GuessedColumn& column : guess.unused) {
     const bool is_set_point = is_drafted_set_point(draft, column);
-    print_column(is_set_point ? "set point" : "not used", column,
-                 is_set_point ? "its name says what is wanted; drafted under target.controllers" : column.reason);
+    print_column(
+        is_set_point ? "set point" : "not used", column,
+        is_set_point ? "its name says that it is a reference; drafted under target.controllers" : column.reason);
   }
   if (!guess.commands.empty())
     std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first",

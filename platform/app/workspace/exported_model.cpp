@@ -17,7 +17,7 @@ constexpr int kDigits = 6;
 
 std::string interval_of(const FittedValue& value) {
   if (value.at_lower_bound || value.at_upper_bound) return "at a bound";
-  if (!value.identified || !std::isfinite(value.standard_error)) return "the data cannot tell";
+  if (!value.identified || !std::isfinite(value.standard_error)) return "not determined by the data";
   return fmt::format("95 %: {} to {}", format_quantity(value.lower_95, value.unit, kDigits),
                      format_quantity(value.upper_95, value.unit, kDigits));
 }
@@ -48,7 +48,7 @@ std::string exported_model_toml(const std::string& comment, const std::filesyste
                                 const ExportedRobot& exported, bool has_base) {
   std::string text = toml_comment(comment);
   for (const auto& [address, value] : identified.of_setups)
-    text += fmt::format("# of some recordings alone: {} = {}\n", address, toml_number(value));
+    text += fmt::format("# only for some recordings: {} = {}\n", address, toml_number(value));
   for (const std::string& sentence : exported.left_out) text += "# left out: " + sentence + "\n";
   text += fmt::format("\n[model]\nfile = {}\n", toml_text(robot_file.filename().string()));
   text += base_line(model, has_base) + held_line(model);
@@ -68,8 +68,8 @@ Rig rig_of_revision(const CommonOptions& options, Rig now, int revision) {
     Ledger ledger(options, now, options.seed.value_or(1), 1);
     const std::optional<StoredRevision> stored = ledger.store().revision(ledger.experiment(), revision);
     if (!stored)
-      throw Error(fmt::format("--revision {}: {} has no such revision of {}; lacuna history lists them", revision,
-                              ledger.file().string(), now.experiment.name));
+      throw Error(fmt::format("--revision {}: {} has no such revision of {}; to list the revisions: lacuna history",
+                              revision, ledger.file().string(), now.experiment.name));
     record = ledger.store().revision_record(stored->id);
     ledger.done();
   }

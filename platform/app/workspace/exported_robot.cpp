@@ -40,10 +40,9 @@ int revision_number(std::optional<int> asked, Workbench& bench) {
   if (!asked) return bench.revision().number;
   const std::optional<StoredRevision> found = bench.ledger().find(bench.rig());
   if (found && found->number == *asked) return found->number;
-  throw Error(
-      fmt::format("--revision {}: its robot, engine or recordings were others than the experiment has now; take "
-                  "the files back as they were then",
-                  *asked));
+  throw Error(fmt::format(
+      "--revision {}: robot, engine or recordings have changed since this revision; restore the files of that time",
+      *asked));
 }
 
 void print_exported(const MadeRobot& made, const IdentifiedRobot& identified) {
@@ -53,14 +52,14 @@ void print_exported(const MadeRobot& made, const IdentifiedRobot& identified) {
   for (const IdentifiedRobot::Absorbed& one : identified.absorbed)
     fmt::print("  {} is {} there\n", one.effect, fmt::join(one.addresses, ", "));
   fmt::print(
-      "{}  what that file has no place for: {}\n", plain_text(made.wanted.model_file().string()),
+      "{}  values that this format cannot hold: {}\n", plain_text(made.wanted.model_file().string()),
       exported.set.empty() && identified.effects.empty() && identified.of_setups.empty() && exported.left_out.empty()
-          ? "nothing"
+          ? "none"
           : "");
   for (const auto& [address, value] : exported.set) fmt::print("  {} = {:.6g}\n", address, value);
   for (const EffectEntry& effect : identified.effects) fmt::print("  effect {}\n", effect.id);
   for (const auto& [address, value] : identified.of_setups)
-    fmt::print("  {} = {:.6g}, of some recordings alone\n", address, value);
+    fmt::print("  {} = {:.6g}, only for some recordings\n", address, value);
   for (const std::string& sentence : exported.left_out) fmt::print("  left out: {}\n", plain_text(sentence));
 }
 

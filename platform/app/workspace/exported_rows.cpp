@@ -99,7 +99,8 @@ void write_trace(const NamedTrace& trace, const RowsExport& wanted) {
   });
   tell(wanted, fmt::format("{} of {}: {}", trace.trial, trace.experiment, parts_text(trace)));
   if (trace.parts.size() == 1 && trace.parts.front().label == "measured" && !wanted.quiet)
-    fmt::print(stderr, "{}: no model has predicted this trial yet; lacuna compare does\n", plain_text(trace.trial));
+    fmt::print(stderr, "{}: no model has predicted this trial yet; to predict it: lacuna compare\n",
+               plain_text(trace.trial));
 }
 
 /// "sine.csv, steps.csv"; of many trials the first ones.
@@ -107,7 +108,7 @@ std::string trials_text(const std::vector<std::string>& trials) {
   if (trials.empty()) return "none";
   const auto named = static_cast<std::ptrdiff_t>(std::min(trials.size(), kMostTrialsNamed));
   return fmt::format("{}{}", fmt::join(trials.begin(), trials.begin() + named, ", "),
-                     trials.size() > kMostTrialsNamed ? " and more, which the view traces lists" : "");
+                     trials.size() > kMostTrialsNamed ? " and more (see view traces)" : "");
 }
 
 [[noreturn]] void refuse_unknown(const Database& database, const StoredTables& tables, const std::string& what) {
@@ -127,7 +128,7 @@ std::string trials_text(const std::vector<std::string>& trials) {
 void check_place(const RowsExport& wanted) {
   if (!wanted.to.empty()) return check_new_output(wanted.to, wanted.existing);
   if (is_binary(wanted.format) && ::isatty(STDOUT_FILENO) != 0)
-    throw_problem({}, "the file has bytes that are no text; name it, as in --npz=FILE, or send it through a pipe");
+    throw_problem({}, "a binary file cannot go to a terminal; name the file, as in --npz=FILE, or use a pipe");
 }
 
 }  // namespace

@@ -21,19 +21,19 @@ std::string steps_of(int count, double step) {
 
 std::string shift_of(const Substeps& found) {
   if (found.shift.address.empty()) return "";
-  return fmt::format("; it moves {} by {:.2g} of half its 95 % interval, no free value by more", found.shift.address,
+  return fmt::format("; largest effect on a fitted value: {} by {:.2g} of half its 95 % interval", found.shift.address,
                      found.shift.share);
 }
 
 std::string error_of(const Substeps& found) {
   if (!std::isfinite(found.share)) return "the model cannot be simulated at its start values";
-  return fmt::format("the error in a free run is {:.2g} of what noise and start leave open", found.share) +
+  return fmt::format("error of a free run {:.2g} × the uncertainty from noise and initial state", found.share) +
          shift_of(found);
 }
 
 std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
   return fmt::format("integration: {}, {}: {}{}", engine.engine, steps_of(found.count, engine.step), error_of(found),
-                     found.enough ? "" : "; more steps were of little use");
+                     found.enough ? "" : "; more steps bring little");
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int thre
   }
   if (!found.enough || engine.substeps < kFarMore * found.count) return {};
   return fmt::format(
-      "integration: {}, {}, as the file says; {} would do: {}. Without engine.substeps the program finds as "
-      "many as are needed",
+      "integration: {}, {}, as written in the file; {} suffice: {}. Without engine.substeps the program chooses the "
+      "number",
       engine.engine, steps_of(engine.substeps, engine.step), found.count, error_of(found));
 }
 

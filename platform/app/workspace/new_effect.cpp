@@ -86,20 +86,21 @@ void make_effect(const NewEffectOptions& options) {
 
 void add_new_effect_command(CLI::App& made) {
   auto options = std::make_shared<NewEffectOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* effect = made.add_subcommand("effect", "Write an effect that is a force law on joints, from a formula");
+  CLI::App* effect = made.add_subcommand("effect", "Write an effect from a formula: a force law on joints");
   effect->add_option("name", options->name, "Name of the effect and of its folder, such as water_drag")
       ->required()
       ->option_text("NAME");
   effect
       ->add_option("--formula", options->formula,
-                   std::string("Force in q, v and u (docs/reference/formulas.md); default: ") + kExample)
+                   std::string("Formula of the force in q, v and u (docs/reference/formulas.md); default: ") + kExample)
       ->option_text("TEXT");
   effect
       ->add_option("--value", options->values,
-                   "Value of a parameter that the formula names, in SI units: b=0.02; may be repeated")
+                   "Value of a parameter in the formula, in SI units: b=0.02; may be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME=NUMBER");
-  effect->add_option("--into", options->into, "Folder for the plugin's folder (default: this one)")
+  effect
+      ->add_option("--into", options->into, "Folder in which the plugin's folder is made (default: the current folder)")
       ->option_text("FOLDER");
   add_plugin_path_option(*effect, options->common);
   effect->callback([options] { make_effect(*options); });

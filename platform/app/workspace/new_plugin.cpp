@@ -30,7 +30,7 @@ void make_plugin(const DraftKind& kind, const NewPluginOptions& options) {
   fmt::print("{} written: {}\n", folder.string(), kind.does);
   std::string use = filled(kind.use, {{"NAME", options.name}});
   std::erase(use, '`');
-  print_next_steps(folder, "in an experiment: " + use + "; commands take @PATH@");
+  print_next_steps(folder, "in an experiment: " + use + "; add @PATH@ to commands");
 }
 
 /// "robot format" as it is typed.
@@ -43,7 +43,8 @@ void add_kind(CLI::App& made, const DraftKind& kind) {
   auto options = std::make_shared<NewPluginOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = made.add_subcommand(command_word(kind.noun), "Write a plugin, " + kind.noun + ": " + kind.does);
   command->add_option("name", options->name, "Name of the plugin and of its folder")->required()->option_text("NAME");
-  command->add_option("--into", options->into, "Folder for the plugin's folder (default: this one)")
+  command
+      ->add_option("--into", options->into, "Folder in which the plugin's folder is made (default: the current folder)")
       ->option_text("FOLDER");
   add_plugin_path_option(*command, options->common);
   command->callback([options, kind] { make_plugin(kind, *options); });
@@ -52,7 +53,7 @@ void add_kind(CLI::App& made, const DraftKind& kind) {
 }  // namespace
 
 void add_new_plugin_command(CLI::App& plugins) {
-  CLI::App* made = plugins.add_subcommand("new", "Write a plugin that works, to be changed: source, project and test");
+  CLI::App* made = plugins.add_subcommand("new", "Write a working plugin to start from: source, project and test");
   made->require_subcommand(1);
   add_new_effect_command(*made);
   for (const DraftKind& kind : draft_kinds()) add_kind(*made, kind);

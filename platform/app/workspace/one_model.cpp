@@ -25,12 +25,14 @@ const Trial* named_trial(const Rig& rig, const AskedTest& asked) {
   for (const Trial& trial : rig.trials) {
     if (trial.name != asked.test) continue;
     if (trial.held_out)
-      throw_problem({}, fmt::format("--test {}: this trial is held out. lacuna compare looks at it and counts the look",
-                                    asked.test));
+      throw_problem(
+          {},
+          fmt::format("--test {}: this trial is held out; only lacuna compare may read it, because it counts the looks",
+                      asked.test));
     if (asked.setup || !asked.duration.empty())
-      throw_problem({},
-                    fmt::format("--test {}: a trial has its own setup and duration. Leave --setup and --duration out",
-                                asked.test));
+      throw_problem(
+          {}, fmt::format("--test {}: a trial has a setup and a duration already; leave out --setup and --duration",
+                          asked.test));
     return &trial;
   }
   return nullptr;
@@ -74,7 +76,7 @@ void add_test(const Workbench& bench, const FitResult& fit, const AskedTest& ask
         {asked.test, Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Eigen::Index>(times.size())),
          rig.model->channels(), predicted.sensors.samples});
   else
-    prediction.failed.push_back("the model cannot carry the test out: " + reason);
+    prediction.failed.push_back("the model cannot carry out the test: " + reason);
 }
 
 }  // namespace
@@ -83,10 +85,9 @@ ModelPrediction predict_by_one_model(Workbench& bench, const AskedTest& asked) {
   const Rig& rig = bench.rig();
   const Trial* trial = named_trial(rig, asked);
   if (asked.test.empty() && rig.count(false) == 0)
-    throw_problem({rig.experiment.file.string()},
-                  fmt::format("{} has no fit trial to simulate. Say which test: --test \"multisine ACTUATOR ...\", as "
-                              "lacuna trial takes it",
-                              rig.experiment.name));
+    throw_problem({rig.experiment.file.string()}, fmt::format("{} has no fit trial to simulate. Say which test: --test "
+                                                              "\"multisine ACTUATOR ...\", written as for lacuna trial",
+                                                              rig.experiment.name));
   const FitResult fit = fit_of(bench);
   ModelPrediction prediction{.experiment = rig.experiment.name,
                              .revision = bench.revision().number,

@@ -43,7 +43,7 @@ bool is_plugin_name(const std::string& name) {
 std::string ending_problem(const NewPlugin& plugin) {
   const bool is_taken = (plugin.kind == "robot format" && plugin.name == "toml") ||
                         (plugin.kind == "recording format" && plugin.name == "csv");
-  return is_taken ? "files that end with ." + plugin.name + " are read by Lacuna itself; choose another name" : "";
+  return is_taken ? "Lacuna reads files that end with ." + plugin.name + " without a plugin; choose another name" : "";
 }
 
 /// Where `find_package` finds the package of this program: an installation or a build folder.
@@ -61,18 +61,18 @@ void check_plugin_name(const NewPlugin& plugin, ProblemList& problems) {
   const auto refuse = [&](const std::string& sentence) { problems.add({plugin.kind, 0, 0}, sentence); };
   const std::string& name = plugin.name;
   if (!is_plugin_name(name))
-    return refuse("\"" + name +
-                  "\" is no name of a plugin; write small letters, digits and _, a letter first, as in water_drag");
+    return refuse(
+        "\"" + name +
+        "\" is not a valid plugin name; use lower-case letters, digits and _, a letter first, as in water_drag");
   if (name.size() > kLongestName)
-    return refuse(fmt::format("the name has {} letters; {} are the most", name.size(), kLongestName));
+    return refuse(fmt::format("the name has {} letters; at most {} are allowed", name.size(), kLongestName));
   if (std::find(kTakenTargets.begin(), kTakenTargets.end(), name) != kTakenTargets.end())
-    refuse(name + " is a target of every CMake project, or of Lacuna's; choose another name");
+    refuse(name + " is a CMake target of every project or of Lacuna; choose another name");
   if (const std::string problem = ending_problem(plugin); !problem.empty()) refuse(problem);
   const PluginCatalog catalog(plugin_search_path(plugin.plugin_paths));
   for (const PluginListing& listing : catalog.list())
     if (listing.kind == plugin.kind && listing.name == name)
-      refuse(
-          fmt::format("{} {} is there already, in {}; choose another name", plugin.kind, name, listing.file.string()));
+      refuse(fmt::format("{} {} already exists in {}; choose another name", plugin.kind, name, listing.file.string()));
 }
 
 std::filesystem::path write_plugin_folder(const NewPlugin& plugin, const std::map<std::string, std::string>& files) {
@@ -80,9 +80,10 @@ std::filesystem::path write_plugin_folder(const NewPlugin& plugin, const std::ma
   make_output_folder(plugin.into);
   std::error_code error;
   const bool is_new = std::filesystem::create_directory(folder, error);
-  if (error && !std::filesystem::exists(folder)) throw Error(folder.string() + ": cannot be made: " + error.message());
+  if (error && !std::filesystem::exists(folder))
+    throw Error(folder.string() + ": cannot be created: " + error.message());
   if (!is_new)
-    throw_problem({folder.string(), 0, 0}, "is there already and is not overwritten; choose another name or --into");
+    throw_problem({folder.string(), 0, 0}, "already exists and is not overwritten; choose another name or --into");
   for (const auto& file : files) write_output((folder / file.first).string(), file.second);
   return folder;
 }

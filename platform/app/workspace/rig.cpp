@@ -128,7 +128,7 @@ Rig with_database(Rig rig, const CommonOptions& options) {
   std::size_t others = add_trials_of_run(database, rig);
   others += add_single_trials(database, target.digest(), rig);
   if (others > 0)
-    rig.left_out = fmt::format("{} in {} {} of another {} and left out", counted(others, "trial"), file.string(),
+    rig.left_out = fmt::format("{} in {} {} from another {} and left out", counted(others, "trial"), file.string(),
                                others == 1 ? "is" : "are", kind == "process" ? "target.version" : "target");
   return rig;
 }

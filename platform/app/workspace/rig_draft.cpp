@@ -69,7 +69,7 @@ std::string free_gains(const RigDraft& draft, const RobotSpec& robot) {
 /// Values of the model that a user may want to free, as examples; of a known robot, about its own values.
 std::string free_text(const RigDraft& draft) {
   const RobotSpec robot = robot_of(draft);
-  std::string text = "\n[model.free]                            # what the fit may change, and how far\n";
+  std::string text = "\n[model.free]                            # values that the fit may change, and their bounds\n";
   text += free_gains(draft, robot);
   const auto moved = std::ranges::find_if(robot.bodies, [](const BodySpec& body) { return body.mass > 0.0; });
   if (moved != robot.bodies.end())
@@ -87,11 +87,11 @@ std::string free_text(const RigDraft& draft) {
 std::string drive_text(const RigDraft& draft) {
   if (!draft.drive) return "";
   const bool is_force = *draft.drive == ActuatorKind::force, is_position = *draft.drive == ActuatorKind::position_servo;
-  return with_comment(fmt::format("actuator_kinds = {{ \"actuator.*\" = \"{}\" }}", is_force      ? "force"
-                                                                                    : is_position ? "position_servo"
-                                                                                                  : "velocity_servo"),
-                      is_force ? "guessed: torques were logged, and no goals"
-                               : "guessed: goals were logged, and no torques; the gains are to be fitted");
+  return with_comment(
+      fmt::format("actuator_kinds = {{ \"actuator.*\" = \"{}\" }}", is_force      ? "force"
+                                                                    : is_position ? "position_servo"
+                                                                                  : "velocity_servo"),
+      is_force ? "guessed: torques were logged, no goals" : "guessed: goals were logged, no torques; fit the gains");
 }
 
 /// Errors of whole recordings add up; of long ones a part tells values better.
@@ -100,7 +100,7 @@ std::string fit_text(const RigDraft& draft) {
   if (draft.recording && std::isfinite(restart_interval(robot, draft.recording->trials.front()))) return "";
   if (draft.shortest < kLongRecording) return "";
   return "\n[fit]\n" + with_comment(fmt::format("horizon = \"{:g} s\"", kFitHorizon),
-                                    "of predictions that are fitted; \"whole\": of whole recordings");
+                                    "length of the fitted predictions; \"whole\": whole recordings");
 }
 
 }  // namespace
@@ -125,9 +125,9 @@ std::string experiment_text(const RigDraft& draft) {
   const std::string name = rig_name(draft.experiment);
   const double step = step_for(draft.interval);
   std::string text = fmt::format(
-      "# What is {0} a model of, and what does the model lack?\n#\n"
-      "# Drafted from {1}. Put values where it says {2}, here and in the robot file, and mend what was\n"
-      "# guessed wrong; `lacuna check` says what is left. Then: lacuna compare {3}\n\n"
+      "# {0}: which physical effect is the model missing?\n#\n"
+      "# Drafted from {1}. Put a value at each {2}, here and in the robot file, and correct wrong guesses;\n"
+      "# `lacuna check` lists the rest. Then: lacuna compare {3}\n\n"
       "[experiment]\nname = {4}\nseed = 1\n\n",
       name, counted(draft.files.size(), "recording"), kBlank,
       plain_text(shell_word(draft.experiment.filename().string())), toml_text(name));

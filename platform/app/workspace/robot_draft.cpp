@@ -13,7 +13,7 @@ std::string body_text(const GuessedJoint& joint, bool is_first) {
   std::string text = fmt::format("\n[body.{}]\n", joint.body());
   text += with_comment("mass = " + blank("kg"), "everything that moves with this joint");
   if (joint.slides) {
-    text += with_comment("inertia = [1.0, 1.0, 1.0]", "kg*m^2; of no effect while nothing turns");
+    text += with_comment("inertia = [1.0, 1.0, 1.0]", "kg*m^2; without effect, because nothing turns");
     return text;
   }
   if (!is_first)
@@ -21,9 +21,8 @@ std::string body_text(const GuessedJoint& joint, bool is_first) {
   text += with_comment(fmt::format("com = [0.0, 0.0, {}]", blank("m")),
                        "centre of mass, seen from the joint; negative: hanging");
   const std::string moment = blank("kg*m^2");
-  text +=
-      with_comment(fmt::format("inertia = [{}, {}, {}]", moment, moment, moment),
-                   "about the centre of mass, along x, y, z; a slim rod has m*L^2/12 across and next to nothing along");
+  text += with_comment(fmt::format("inertia = [{}, {}, {}]", moment, moment, moment),
+                       "about the centre of mass, along x, y, z; a slim rod: m*L^2/12 across, almost 0 along");
   return text;
 }
 
@@ -34,8 +33,8 @@ std::string joint_text(const GuessedJoint& joint, const std::string& body_before
     text += with_comment("parent = " + toml_text(std::string(kBlank) + " world or " + body_before),
                          "the body that carries this joint");
   text += "child = " + toml_text(joint.body()) + "\n";
-  text += joint.slides ? with_comment("axis = \"x\"", "guessed: horizontal, so that gravity does nothing")
-                       : with_comment("axis = \"y\"", "guessed: horizontal; at zero the arm is as com says");
+  text += joint.slides ? with_comment("axis = \"x\"", "guessed: horizontal, so that gravity has no effect")
+                       : with_comment("axis = \"y\"", "guessed: horizontal; at zero the arm points to com");
   return text;
 }
 
@@ -45,7 +44,7 @@ std::string motor_text(const GuessedJoint& joint) {
   if (joint.actuator == ActuatorKind::position_servo) {
     text += with_comment("kind = \"position_servo\"", "guessed: the command is a position");
     text += with_comment("kp = " + blank(force + "/" + position_unit(joint)), "stiffness of the servo");
-    text += with_comment("kd = " + blank(force + "*s/" + position_unit(joint)), "its damping");
+    text += with_comment("kd = " + blank(force + "*s/" + position_unit(joint)), "damping of the servo");
   } else if (joint.actuator == ActuatorKind::velocity_servo) {
     text += with_comment("kind = \"velocity_servo\"", "guessed: the command is a velocity");
     text += with_comment("kd = " + blank(force + "*s/" + position_unit(joint)), "gain of the servo");
@@ -79,7 +78,7 @@ std::string robot_text(const RigDraft& draft) {
   const std::string name = rig_name(draft.experiment);
   std::string text = fmt::format(
       "# The robot of {}: one body a joint. Put values where it says {}; SI units, z up.\n"
-      "# What is not written here (friction, a spring, the rotor's inertia) is zero.\n\n[robot]\nname = {}\n",
+      "# Values that are not written here (friction, springs, rotor inertia) are zero.\n\n[robot]\nname = {}\n",
       plain_text(draft.experiment.filename().string()), kBlank, toml_text(name));
   const std::vector<GuessedJoint>& joints = draft.guess.joints;
   for (std::size_t i = 0; i < joints.size(); ++i) text += body_text(joints[i], i == 0);

@@ -41,7 +41,7 @@ std::string plugin_name(const PluginFileRecord& plugin) { return plugin_name(std
 std::vector<std::string> changed_robots(const StoredRun& then, const Experiment& now) {
   std::vector<std::string> changed;
   for (const RobotFileRecord& file : robot_files_of(now))
-    if (!then.robots.empty() && !has(then.robots, file.sha256)) changed.push_back("another text of " + file.file);
+    if (!then.robots.empty() && !has(then.robots, file.sha256)) changed.push_back("another version of " + file.file);
   return changed;
 }
 

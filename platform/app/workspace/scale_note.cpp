@@ -67,9 +67,9 @@ std::optional<ReadingNote> scale_note(const Rig& rig) {
   const std::optional<ReadingScale> scale = scale_of(rig);
   if (!scale) return std::nullopt;
   const Correction correction = correction_of(rig, *scale);
-  return ReadingNote{correction.location,
-                     fmt::format("{}; if so, write under [target.sensors]: {}", to_string(*scale), correction.lines),
-                     true};
+  return ReadingNote{
+      correction.location,
+      fmt::format("{}; in that case write under [target.sensors]: {}", to_string(*scale), correction.lines), true};
 }
 
 std::string scale_correction(const Rig& rig) {

@@ -54,10 +54,8 @@ std::string track_line(const RigDraft& draft, const MatchedColumn& match) {
           "{} = {{ column = {}, y = {}, unit = {}, pivot = [\"{:.4g} m\", \"{:.4g} m\"], zero = \"-90 deg\"{} }}",
           toml_key(match.channel.name), toml_text(match.column.name), toml_text(track.other),
           toml_text(match.column.unit), track.pivot_x, track.pivot_y, noise.key),
-      fmt::format(
-          "guessed: {}, of radius {:.4g} m; zero: hanging down, with y up; gain = -1 turns the angle the other way "
-          "round; {}",
-          match.column.reason, track.radius, noise.reason));
+      fmt::format("guessed: {}, radius {:.4g} m; zero: hanging down, y up; gain = -1 reverses the angle; {}",
+                  match.column.reason, track.radius, noise.reason));
 }
 
 std::string sensor_line(const RigDraft& draft, const MatchedColumn& match) {
@@ -66,14 +64,14 @@ std::string sensor_line(const RigDraft& draft, const MatchedColumn& match) {
     return with_comment(
         fmt::format("{} = {{ column = {}, unit = {}, gain = {} }}", toml_key(channel.name), toml_text(column.name),
                     toml_text(column.unit), blank(fmt::format("{}/{}", channel.unit, column.unit))),
-        "guessed: " + column.reason + "; the gain is the sensor's");
+        "guessed: " + column.reason + "; the gain comes from the sensor");
   if (column.track) return track_line(draft, match);
   const bool known = has_dimension(column.unit, channel.unit);
   const NoiseText noise = known ? noise_of(draft, channel.name, channel.unit, column.unit) : NoiseText{};
   const std::string line = fmt::format("{} = {{ column = {}, unit = {}{} }}", toml_key(channel.name),
                                        toml_text(column.name), unit_or_blank(column, channel.unit), noise.key);
   std::string comment = "guessed: " + column.reason;
-  if (!known) comment += "; unit as in rad, deg, m, mm, rad/s; of an encoder's counts \"1\" and counts_per_turn = 4096";
+  if (!known) comment += "; unit such as rad, deg, m, mm, rad/s; for encoder counts \"1\" and counts_per_turn = 4096";
   if (!noise.reason.empty()) comment += "; " + noise.reason;
   return with_comment(line, comment);
 }
@@ -92,9 +90,9 @@ std::string command_text(const MatchedColumn& match) {
   } else {
     line += fmt::format("{}, gain = {} }}", toml_text(column.unit), blank(wanted + "/" + column.unit));
     comment += fmt::format("; the gain turns {} into {}", column.unit, wanted);
-    if (has_dimension(column.unit, "A")) comment += ": the motor's constant, seen at the joint";
+    if (has_dimension(column.unit, "A")) comment += ": torque constant of the motor, at the joint";
     if (has_dimension(column.unit, "V"))
-      comment += ", as a drive that controls the current does; for a motor at this voltage make its kind \"voltage\"";
+      comment += "of a current-controlled drive; for a motor driven by this voltage, set its kind to \"voltage\"";
   }
   return with_comment(line, comment);
 }
@@ -137,7 +135,7 @@ std::string runs_text(const RigDraft& draft) {
     text += fmt::format("\n[[target.recording]]\nfile = {}\ntable = {}\n",
                         toml_text(path_in_file(file.path, draft.experiment)), toml_text(file.run));
     if (&file == &draft.files.back() && draft.files.size() > 1 && !draft.guess.trial)
-      text += with_comment("role = \"holdout\"", "guessed: the last run; kept from every fit");
+      text += with_comment("role = \"holdout\"", "guessed: the last run; no fit reads it");
   }
   return text;
 }
@@ -149,9 +147,9 @@ std::string recordings_text(const RigDraft& draft) {
   if (guess.trial) {
     text += with_comment("trial_column = " + toml_text(guess.trial->name), "guessed: " + guess.trial->reason);
     if (const std::string last = last_trial(draft); !last.empty())
-      text += with_comment("holdout_trials = [" + toml_text(last) + "]", "guessed: the last one; kept from every fit");
+      text += with_comment("holdout_trials = [" + toml_text(last) + "]", "guessed: the last one; no fit reads it");
   } else if (draft.files.size() > 1 && !has_runs(draft)) {
-    text += with_comment("holdout = " + file_list(draft, true), "guessed: the last file; kept from every fit");
+    text += with_comment("holdout = " + file_list(draft, true), "guessed: the last file; no fit reads it");
   }
   if (!guess.commands.empty())
     text += with_comment(guess.hold == Hold::zero_order ? "hold = \"zero\"" : "hold = \"first\"",
@@ -182,10 +180,10 @@ std::string columns_text(const RigDraft& draft) {
 std::string target_text(const RigDraft& draft) { return recordings_text(draft) + columns_text(draft); }
 
 std::string reason_of(const UnmatchedChannel& left) {
-  if (left.candidates.empty()) return "no column fits";
+  if (left.candidates.empty()) return "no column matches";
   std::string columns;
   for (const std::string& name : left.candidates) columns += (columns.empty() ? "" : ", ") + name;
-  return (left.candidates.size() > 1 ? "several columns fit: " : "a column fits others as well: ") + columns;
+  return (left.candidates.size() > 1 ? "several columns match: " : "a column also matches other channels: ") + columns;
 }
 
 }  // namespace lacuna

@@ -30,11 +30,10 @@ void check_limits(const TestSpace& space, const CommandSeries& commands, const s
       if (space.actuators[a].name != series.channels[c].name) continue;
       const auto column = series.samples.col(static_cast<Eigen::Index>(c));
       if (column.minCoeff() < space.lower[a] || column.maxCoeff() > space.upper[a])
-        problems.add({file},
-                     fmt::format("commands of {0} from {1:.4g} to {2:.4g} {5} are beyond its limits, {3:.4g} to "
-                                 "{4:.4g} {5}; scale them down",
-                                 space.actuators[a].name, column.minCoeff(), column.maxCoeff(), space.lower[a],
-                                 space.upper[a], space.actuators[a].unit));
+        problems.add({file}, fmt::format("commands of {0} from {1:.4g} to {2:.4g} {5} exceed its limits, {3:.4g} to "
+                                         "{4:.4g} {5}; scale them down",
+                                         space.actuators[a].name, column.minCoeff(), column.maxCoeff(), space.lower[a],
+                                         space.upper[a], space.actuators[a].unit));
     }
   problems.throw_if_any();
 }
@@ -66,7 +65,7 @@ Test test_of_line(const AskedTest& asked, TestSpace space, const PluginCatalog& 
 
 void add_test_options(CLI::App& command, AskedTest& asked, const std::string& description) {
   command.add_option("--test", asked.test, description)->required()->option_text("TEST");
-  command.add_option("--duration", asked.duration, "Duration, instead of the test's")->option_text("TIME");
+  command.add_option("--duration", asked.duration, "Duration (default: the test's)")->option_text("TIME");
   command.add_option("--setup", asked.setup, "Setup of the recordings, or none (default: the first recording's)")
       ->option_text("NAME");
 }
@@ -79,18 +78,16 @@ std::optional<double> asked_duration(const AskedTest& asked) {
     if (is_time && std::isfinite(duration.value_in_si) && duration.value_in_si > 0.0) return duration.value_in_si;
   } catch (const Error&) {
   }
-  throw_problem({}, fmt::format("--duration {}: is no duration above 0; write one such as \"20 s\"", asked.duration));
+  throw_problem({}, fmt::format("--duration {}: must be a duration above 0, such as \"20 s\"", asked.duration));
 }
 
 KnownSetup asked_setup(const AskedTest& asked, const Experiment& experiment, const ModelDefinition& definition) {
   const std::vector<KnownSetup> setups = known_setups(definition, experiment.target.recording);
   if (!asked.setup) return setups.front();
   if (experiment.target.kind != "recorded")
-    throw_problem({},
-                  fmt::format("--setup {}: a target of kind = \"{}\" has no setups, and Lacuna cannot change its loads "
-                              "or gains; only recordings have them ([[target.recording]] with set or own). Leave "
-                              "--setup out",
-                              *asked.setup, experiment.target.kind));
+    throw_problem({}, fmt::format("--setup {}: only recordings have setups ([[target.recording]] with set or own), and "
+                                  "this target has kind = \"{}\"; leave out --setup",
+                                  *asked.setup, experiment.target.kind));
   try {
     return find_setup(setups, *asked.setup);
   } catch (const BadInput& error) {

@@ -113,7 +113,7 @@ RevisionErrors before_edit_of(const std::filesystem::path& file, const std::func
   try {
     return work();
   } catch (const Interrupted& interruption) {
-    throw Interrupted(std::string(interruption.what()) + "; " + file.string() + " is as it was");
+    throw Interrupted(std::string(interruption.what()) + "; " + file.string() + " is unchanged");
   }
 }
 

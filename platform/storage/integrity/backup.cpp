@@ -80,7 +80,7 @@ void check_content(const Database& database) {
   if (seals.broken.empty()) return;
   const BrokenSeal& first = seals.broken.front();
   throw_damaged(database.file(), "run " + std::to_string(first.run.value) + ", table " + first.table +
-                                     ": not what the run ended with: " + first.reason);
+                                     ": changed since the run ended: " + first.reason);
 }
 
 bool is_larger(const std::filesystem::path& file, const std::filesystem::path& than) {

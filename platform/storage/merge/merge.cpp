@@ -55,7 +55,7 @@ void check_plugins(const Database& database, UsedPlugins& used, ProblemList* pro
 void check_seals(const Database& shard, ProblemList& problems) {
   for (const BrokenSeal& broken : lacuna::check_seals(shard).broken)
     problems.add({shard.file().string()},
-                 fmt::format("run {}, table {}: not what the run ended with: {}; make the shard anew", broken.run.value,
+                 fmt::format("run {}, table {}: changed since the run ended: {}; make the shard anew", broken.run.value,
                              broken.table, plain_text(broken.reason)));
 }
 

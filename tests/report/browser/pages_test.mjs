@@ -1098,7 +1098,7 @@ describe('the server', () => {
     copyFileSync(at('rig.db'), at('draft.db'));
     renameSync(at('draft.db'), at('late.db'));
     const server = await starting;
-    assert.match(server.messages(), /waiting for late\.db/);
+    assert.match(server.messages(), /waiting until .* makes late\.db/);
     assert.equal((await server.stop()).code, 0);
   });
 });
