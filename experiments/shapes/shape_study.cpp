@@ -207,8 +207,8 @@ std::string shape_table(const std::vector<ShapeStudy>& studies) {
 Figure shape_errors(const std::vector<ShapeStudy>& studies) {
   Figure figure;
   const bool logarithmic = differ_far(studies);
-  figure.title = "How far models are from the target's shape: means over the runs, bars are 95 % intervals";
-  if (logarithmic) figure.title += " of their logarithms";
+  figure.title = "Distance of the models from the target's shape (mean over the runs, bars: 95 % intervals)";
+  if (logarithmic) figure.title += " of the logarithms";
   figure.x_label = "pass";
   figure.whole_x = true;
   figure.panels.resize(2);
@@ -228,14 +228,14 @@ Figure shape_errors(const std::vector<ShapeStudy>& studies) {
 
 Figure shape_progress(const std::vector<ShapeStudy>& studies) {
   Figure figure;
-  figure.title = "Progress of a typical run each: the best model of all trials so far";
+  figure.title = "Progress of a typical run of each experiment: best model on all trials so far";
   figure.columns = static_cast<int>(std::max<std::size_t>(studies.size(), 2));
   figure.width = 400 * figure.columns;
   for (const bool of_score : {true, false})
     for (std::size_t i = 0; i < studies.size(); ++i) figure.panels.push_back(progress_panel(studies[i], i, of_score));
   for (Panel& panel : figure.panels)  // one legend for all
     if (panel.series.front().mark == Mark::borders) {
-      panel.series.front().label = "a pass begins";
+      panel.series.front().label = "start of a pass";
       break;
     }
   return figure;

@@ -28,7 +28,7 @@ std::vector<Genome> group_of(const Genome& child, std::size_t first, std::span<c
 void check(const Genome& genome, const GenomeLayout& layout, const ComponentOrigin& origin) {
   const std::string problem = misfit(genome, layout);
   if (!problem.empty())
-    throw Error(to_string(origin) + ": its genome " + problem + "; that is a fault of the plugin: repair it");
+    throw Error(to_string(origin) + ": its genome " + problem + "; this is a fault of the plugin: repair it");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct PluginCatalog::Entry {
   void* make() const {
     void* component = guarded_call(origin, "its factory", [this] { return create(); });
     if (component == nullptr)
-      throw Error(to_string(origin) + ": its factory returned nothing; that is a fault of the plugin: repair it");
+      throw Error(to_string(origin) + ": its factory returned nothing; this is a fault of the plugin: repair it");
     return component;
   }
 };
@@ -63,7 +63,7 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
 }
 
 constexpr std::size_t kMostProblems = 3;  ///< of other plugins; printed when a component is missing
-constexpr const char* kRepair = "; that is a fault of the plugin: repair it or remove it from the plugin folder";
+constexpr const char* kRepair = "; this is a fault of the plugin: repair it or remove it from the plugin folder";
 
 /// Faults in a component's description, and in the behaviour of its hooks.
 template <class Interface>

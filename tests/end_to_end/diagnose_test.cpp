@@ -98,7 +98,7 @@ TEST(Diagnose, TellsErrorsByHorizon) {
   ASSERT_GE(document["horizons"].size(), 3U);
   const nlohmann::json& longest = document["horizons"].back();
   EXPECT_LT(longest["answer"].get<double>(), 0.5 * longest["base"].get<double>());
-  EXPECT_THAT(outcome.output, HasSubstr("error where not fitted"));
+  EXPECT_THAT(outcome.output, HasSubstr("cross-validated error"));
 }
 
 TEST(Diagnose, AddTakesTheAnswer) {

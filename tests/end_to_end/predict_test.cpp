@@ -51,8 +51,8 @@ TEST_F(PredictCommand, TellsABandThatTrialsNewToTheModelsSupport) {
   const Outcome told = predict(kLine, {"--csv=band.csv", "--out", "band.svg", "--json=band.json"});
   ASSERT_EQ(told.exit_code, 0) << told.errors;
   EXPECT_THAT(told.output, HasSubstr("run 1, pass 3 · 2 models · triangle motor"));
-  EXPECT_THAT(told.output, HasSubstr("2 models of the run, which err more than twice as much as the best"));
-  EXPECT_THAT(told.output, HasSubstr("3 trials that were new to the models at the time"));
+  EXPECT_THAT(told.output, HasSubstr("2 models with more than twice the best model's error"));
+  EXPECT_THAT(told.output, HasSubstr("3 trials new to the models at the time"));
   EXPECT_THAT(told.output, HasSubstr("→ lacuna trial smoke/simulated-pendulum.toml --test 'triangle"));
   EXPECT_THAT(program_.read("band.svg"), HasSubstr("95 % band"));
   const std::vector<std::string> lines = lines_of(program_.read("band.csv"));
@@ -112,7 +112,7 @@ TEST_F(PredictCommand, PredictsInTheSetupThatIsAskedFor) {
   };
   const Outcome first = of({}), heavy = of({"--setup", "steps", "--json=heavy.json"});
   ASSERT_EQ(heavy.exit_code, 0) << heavy.errors;
-  EXPECT_THAT(first.output, HasSubstr("setup sine (body.arm.mass = 0.53 kg), that of the first recording"));
+  EXPECT_THAT(first.output, HasSubstr("setup sine (body.arm.mass = 0.53 kg) (the first recording's)"));
   EXPECT_THAT(heavy.output, HasSubstr("setup steps (body.arm.mass = 0.56 kg)\n"));
   EXPECT_THAT(heavy.output, HasSubstr(" --setup steps --csv=commands.csv"));
   EXPECT_EQ(nlohmann::json::parse(program_.read("heavy.json"))["setup"]["set"]["body.arm.mass"]["value"], 0.56);

@@ -41,11 +41,11 @@ bool close(const std::string& said, const std::string& printed, double tolerance
 
 /// Last digits differ from processor to processor, and with them what rests on many of them, by less than this: figures
 /// with their uncertainty, "+1108 ± 204", by a quarter of it and it by a fifth, others in their line and what chance
-/// reaches by a tenth, probabilities that a verdict is right (P) by their last digit, chances (p) by a tenth. A figure
+/// reaches by a tenth, probabilities that a verdict is right by their last digit, chances (p) by a tenth. A figure
 /// of another version of the program differs by more.
 constexpr double kOfUncertainty = 0.25, kUncertainty = 1.2, kBesideAnEstimate = 0.1, kChance = 0.1;
 const std::regex kEstimate("([+-]?[0-9]+(?:\\.[0-9]+)?) ± ([0-9]+(?:\\.[0-9]+)?)"),
-    kProbability("\\b([Pp]) ([01]\\.[0-9]+)"), kFall("−([0-9]+(?:\\.[0-9]+)?) %");
+    kProbability("\\b(probability|p) ([01]\\.[0-9]+)"), kFall("−([0-9]+(?:\\.[0-9]+)?) %");
 
 /// Whether two lines have as many such figures, each close to the other's.
 template <class Close>

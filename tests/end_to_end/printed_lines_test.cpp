@@ -28,12 +28,12 @@ TEST(Difference, LetsAFigureDifferByItsUncertainty) {
 }
 
 TEST(Difference, LetsAProbabilityDifferByItsLastDigit) {
-  EXPECT_EQ(
-      difference({"verdict effect_found · P 0.85 (calibrated)"}, {"verdict effect_found · P 0.86 (calibrated)"}, 0.05),
-      "");
-  EXPECT_NE(
-      difference({"verdict effect_found · P 0.84 (calibrated)"}, {"verdict effect_found · P 0.86 (calibrated)"}, 0.05),
-      "");
+  EXPECT_EQ(difference({"verdict effect_found · probability 0.85 (calibrated)"},
+                       {"verdict effect_found · probability 0.86 (calibrated)"}, 0.05),
+            "");
+  EXPECT_NE(difference({"verdict effect_found · probability 0.84 (calibrated)"},
+                       {"verdict effect_found · probability 0.86 (calibrated)"}, 0.05),
+            "");
   EXPECT_EQ(difference({"chance · p 0.72"}, {"chance · p 0.67"}, 0.01), "");
   EXPECT_EQ(difference({"chance: below 5.3 nats"}, {"chance: below 5.8 nats"}, 0.01), "");
   EXPECT_NE(difference({"chance: below 5.3 nats"}, {"chance: below 6.8 nats"}, 0.01), "");

@@ -130,7 +130,7 @@ TEST_F(TrialCommand, SetsTheRigUpAsARecordingSays) {
     words.insert(words.end(), more.begin(), more.end());
     return program_.run(words);
   };
-  EXPECT_THAT(commands({}).output, HasSubstr("setup sine (body.arm.mass = 0.53 kg), that of the first recording"));
+  EXPECT_THAT(commands({}).output, HasSubstr("setup sine (body.arm.mass = 0.53 kg) (the first recording's)"));
   const Outcome heavy = commands({"--setup", "steps"});
   EXPECT_THAT(heavy.output, HasSubstr("setup steps (body.arm.mass = 0.56 kg)\n"));
   EXPECT_THAT(heavy.output, HasSubstr("[[target.recording]]\nfile = \"new.csv\"\nset = { \"body.arm.mass\" = "

@@ -39,37 +39,43 @@ std::string advice_on(const PooledScore& score) {
 }
 
 TEST(AdviceText, AnErrorOfTheFloorsSizeIsAtTheFloor) {
-  EXPECT_EQ(advice_on(fit_score(1.1e-3, 0.0)), "model is at the floor (1.1 ×)\n");
+  EXPECT_EQ(advice_on(fit_score(1.1e-3, 0.0)), "Error is 1.1 × the noise floor: as small as the noise allows\n");
 }
 
 TEST(AdviceText, WhatTheUncertainStartExplainsIsNoMissingEffect) {
   // √(1² + (2 · 0.6)²) mrad = 1.56 mrad is what a right model leaves 19 times in 20 after one start like this.
-  EXPECT_THAT(advice_on(fit_score(1.7e-3, 6e-4)),
-              AllOf(HasSubstr("1.7 ×, which the uncertain start can explain (a right model leaves up to 1.9 × "),
-                    Not(HasSubstr("missing")), Not(HasSubstr("lacuna diagnose"))));
+  EXPECT_THAT(
+      advice_on(fit_score(1.7e-3, 6e-4)),
+      AllOf(
+          HasSubstr(
+              "1.7 × the noise floor, which the initial-state uncertainty can explain (a right model has up to 1.9 × "),
+          Not(HasSubstr("missing")), Not(HasSubstr("lacuna diagnose"))));
 }
 
 TEST(AdviceText, WhatTheStartDoesNotExplainMayBeAnEffect) {
   EXPECT_THAT(advice_on(fit_score(8e-3, 2e-3)),
-              AllOf(HasSubstr("model is above the floor (8.0 ×)"), HasSubstr("→ lacuna diagnose rig.toml\n")));
+              AllOf(HasSubstr("Error is 8.0 × the noise floor: something is missing."),
+                    HasSubstr("Next: lacuna diagnose rig.toml\n")));
 }
 
 TEST(AdviceText, ManyTrialsLeaveLessToTheChanceOfTheirStarts) {
   // 16 starts: √(1² + (1.25 · 2)²) mrad = 2.7 mrad, not √(1² + 4²) mrad = 4.1 mrad as after one.
   Comparison comparison = comparison_of(fit_score(4.5e-3, 2e-3));
-  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("uncertain start"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("initial-state uncertainty"));
   ChannelScore score;
   score.channel = "angle";
   score.samples = 100;
   comparison.trials.resize(16);
   for (TrialComparison& trial : comparison.trials) trial.channels = {score};
-  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("above the floor (4.5 ×)"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"),
+              HasSubstr("Error is 4.5 × the noise floor: something is missing"));
 }
 
 TEST(AdviceText, TheChannelWithTheMostUnexplainedErrorCounts) {
   Comparison comparison = comparison_of(fit_score(4e-3, 4e-3));
   comparison.pooled.push_back(fit_score(3e-3, 0.0));
-  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("above the floor (3.0 ×)"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"),
+              HasSubstr("Error is 3.0 × the noise floor: something is missing"));
 }
 
 /// A right fit of the fit trials, and a held-out trial with this error.
@@ -84,22 +90,22 @@ Comparison with_held_out(double rmse) {
 
 TEST(AdviceText, AModelIsNotAtTheFloorWhereHeldOutTrialsAreNot) {
   EXPECT_THAT(advice_text(with_held_out(9e-3), "lacuna diagnose rig.toml"),
-              AllOf(HasSubstr("at the floor (1.0 ×) on the fit files, but not on the held-out files: angle 9.0 ×, most "
-                              "in held.csv at 5.22 s"),
-                    HasSubstr("→ move a held-out file to target.files, then lacuna diagnose rig.toml\n")));
+              AllOf(HasSubstr("Error is 1.0 × the noise floor: as small as the noise allows. On the held-out files: "
+                              "angle 9.0 ×, largest in held.csv at 5.22 s"),
+                    HasSubstr("Next: move a held-out file to target.files, then lacuna diagnose rig.toml\n")));
 }
 
 TEST(AdviceText, SaysWhereTheStartExplainsTheErrorOfHeldOutTrials) {
   Comparison comparison = with_held_out(9e-3);
   comparison.pooled.back().from_start = 5e-3;
-  EXPECT_EQ(
-      advice_text(comparison, "lacuna diagnose rig.toml"),
-      "model is at the floor (1.0 ×) on the fit files; on the held-out files angle 9.0 ×, which the uncertain start "
-      "can explain (a right model leaves up to 12.1 × from such starts)\n");
+  EXPECT_EQ(advice_text(comparison, "lacuna diagnose rig.toml"),
+            "Error is 1.0 × the noise floor: as small as the noise allows. On the held-out files: angle 9.0 ×, which "
+            "the initial-state uncertainty can explain (a right model has up to 12.1 × with such starts)\n");
 }
 
 TEST(AdviceText, HeldOutTrialsAtTheFloorAreNotWorthAWord) {
-  EXPECT_EQ(advice_text(with_held_out(1.1e-3), "lacuna diagnose rig.toml"), "model is at the floor (1.0 ×)\n");
+  EXPECT_EQ(advice_text(with_held_out(1.1e-3), "lacuna diagnose rig.toml"),
+            "Error is 1.0 × the noise floor: as small as the noise allows\n");
 }
 
 TEST(AdviceText, ATrialThatCannotBeSimulatedIsNeverAtTheFloor) {
@@ -109,14 +115,14 @@ TEST(AdviceText, ATrialThatCannotBeSimulatedIsNeverAtTheFloor) {
   comparison.trials[1].reason = "the hinge turns too fast";
   EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"),
               AllOf(HasSubstr("1 of 2 trials cannot be simulated"), HasSubstr("chirp: the hinge turns too fast"),
-                    Not(HasSubstr("at the floor"))));
+                    Not(HasSubstr("noise floor"))));
 }
 
 TEST(AdviceText, AFloorThatIsNotKnownIsNotReached) {
   PooledScore score = fit_score(1e-3, 0.0);
   score.floor = score.times_floor = std::nan("");
   score.floor_origin = "no run could be simulated";
-  EXPECT_EQ(advice_on(score), "the floor of angle is not known: no run could be simulated\n");
+  EXPECT_EQ(advice_on(score), "the noise floor of angle is not known: no run could be simulated\n");
 }
 
 TEST(AdviceText, NothingScoredIsNoAgreement) {

@@ -23,12 +23,14 @@ TEST(BoundText, SaysWhichBoundAndWhatItMeans) {
                 value_of("body.carriage.mass", "kg", 500.0, false, true),
                 value_of("effect.pull.force", "N", -20.0, true, false)};
   EXPECT_EQ(bound_text(fit),
-            "effect.coulomb_friction.torque is at its lower bound, 0.00 N*m: the data do not want this effect\n"
-            "joint.hinge.damping is at its lower bound, 0.00 N*m*s/rad: the data want none of it\n"
-            "body.carriage.mass is at its upper bound, 500 kg: the data want more: the bound is too tight, or the "
-            "value stands in for an effect that is missing\n"
-            "effect.pull.force is at its lower bound, -20.0 N: the data want less than the effect allows; another "
-            "one may be meant\n");
+            "effect.coulomb_friction.torque: the fit stopped at the lower bound, 0.00 N*m: this effect does not "
+            "improve the model\n"
+            "joint.hinge.damping: the fit stopped at the lower bound, 0.00 N*m*s/rad: another value does not improve "
+            "the model\n"
+            "body.carriage.mass: the fit stopped at the upper bound, 500 kg: a larger value would fit better: the "
+            "bound is too tight, or the value has absorbed a missing effect\n"
+            "effect.pull.force: the fit stopped at the lower bound, -20.0 N: a smaller value than the effect allows "
+            "would fit better; the missing effect may be another one\n");
 }
 
 TEST(BoundText, DoesNotDismissAnEffectThatShorterSegmentsShow) {

@@ -47,9 +47,9 @@ TEST(ChangeText, NamesEachFileAndHorizonWhoseErrorRoseAndHowToTakeItBack) {
   EXPECT_EQ(rises[0].horizon, 0.5);
   EXPECT_TRUE(rises[1].held_out);
   const std::string text = change_text(kBefore, after, "lacuna undo rig.toml");
-  EXPECT_THAT(text, testing::ContainsRegex("angle +sine.csv +every 0.5 s +100 µrad → +200 µrad"));
+  EXPECT_THAT(text, testing::ContainsRegex("angle +sine.csv +0.5 s segments +100 µrad → +200 µrad"));
   EXPECT_THAT(text, testing::ContainsRegex("angle +held out chirp.csv +free run +1.00 mrad → +3.00 mrad"));
-  EXPECT_THAT(text, HasSubstr("to take the change back: lacuna undo rig.toml\n"));
+  EXPECT_THAT(text, HasSubstr("to undo the change: lacuna undo rig.toml\n"));
   const nlohmann::json document = nlohmann::json::parse(change_json("oil", kBefore, after, "lacuna undo rig.toml"));
   EXPECT_THAT(document["rises"], SizeIs(2));
   EXPECT_EQ(document["undo"], "lacuna undo rig.toml");
@@ -66,7 +66,7 @@ TEST(ChangeText, SetsErrorsOverEachLengthSideBySide) {
   };
   const RevisionErrors before = pooled(errors({trial("sine.csv", false, 1e-3, 2e-4)}), 1e-3);
   const RevisionErrors after = pooled(errors({trial("sine.csv", false, 1e-4, 5e-5)}), 1e-4);
-  EXPECT_THAT(change_text(before, after), testing::ContainsRegex(" over 0.5 s +200 µrad → +50.0 µrad +−75 %"));
+  EXPECT_THAT(change_text(before, after), testing::ContainsRegex(" 0.5 s segments +200 µrad → +50.0 µrad +−75 %"));
 }
 
 TEST(ChangeText, NamesAFileThatCannotBeSimulatedAnyMore) {

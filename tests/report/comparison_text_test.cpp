@@ -63,7 +63,8 @@ TEST(ComparisonText, ShowsTheFloorOfAFileWhereItIsAnotherOne) {
 }
 
 TEST(ComparisonText, NamesTheShareOfTheStartWhereItMatters) {
-  EXPECT_THAT(comparison_text({}, one_trial(4e-4), {}), HasSubstr("floor 1.00 mrad · start 400 µrad · numerical"));
+  EXPECT_THAT(comparison_text({}, one_trial(4e-4), {}),
+              HasSubstr("noise floor 1.00 mrad · initial state 400 µrad · numerical error"));
   EXPECT_THAT(comparison_text({}, one_trial(9e-5), {}), Not(HasSubstr("start 90")));
 }
 
@@ -124,7 +125,7 @@ TEST(DataChecksText, NamesEachFaultAndWhatItMeans) {
                               {Severity::note, "nothing is held out"}}),
             "data check failed: sine.csv: angle does not move\n"
             "data check failed: steps.csv: angle does not move\n"
-            "the fitted values may be wrong, and so may what lacuna diagnose says: correct the data first\n");
+            "correct the data first: the fitted values and the verdict of lacuna diagnose may be wrong\n");
 }
 
 /// A fall takes as long as it takes: nothing about it is to be corrected.

@@ -70,7 +70,7 @@ TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {
   ASSERT_EQ(files.size(), 3U);
   EXPECT_EQ(files[0].filename(), "ranking.svg");
   const std::string ranking = read_bytes(files[0]);
-  for (const char* words : {"not_in_library · P 0.93", "viscous_friction @ joint.hinge"})
+  for (const char* words : {"not_in_library · probability 0.93", "viscous_friction @ joint.hinge"})
     EXPECT_THAT(ranking, HasSubstr(words));
   EXPECT_EQ(files[1].filename(), "residual-force-hinge.svg");
   const std::string hinge = read_bytes(files[1]);

@@ -68,7 +68,7 @@ TEST(DiagnosisText, TellsAFailureOfAPluginApartFromWhatHasNoPlace) {
 TEST(DiagnosisText, AddsNothingWhereTheReadingsAreToBeCorrectedFirst) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml", " --db other.db",
                                           "under [target.sensors]: angle = { ..., counts_per_turn = 1024 }");
-  EXPECT_THAT(text, HasSubstr("→ first correct the readings, under [target.sensors]: angle = { ..., counts_per_turn = "
+  EXPECT_THAT(text, HasSubstr("→ correct the readings first, under [target.sensors]: angle = { ..., counts_per_turn = "
                               "1024 }, then lacuna diagnose rig.toml --db other.db\n"));
   EXPECT_THAT(text, Not(HasSubstr("lacuna add")));
 }
@@ -80,7 +80,8 @@ TEST(DiagnosisText, TellsErrorsByHorizonAndAddsAllEffectsAtOnce) {
   found.ranking.front().effects.push_back({"quadratic_drag", "body.arm", {}});
   const std::string text = diagnosis_text(found, "rig.toml");
   EXPECT_THAT(text, HasSubstr("verdict effect_found\n"));
-  EXPECT_THAT(text, ContainsRegex("angle over 0.10 s +12.1 mrad → 900 µrad +−92.6 % +13.0 mrad → 1.30 mrad +−90 % "));
+  EXPECT_THAT(text,
+              ContainsRegex("angle, 0.10 s segments +12.1 mrad → 900 µrad +−92.6 % +13.0 mrad → 1.30 mrad +−90 % "));
   EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml --answer\n"));
 }
@@ -95,14 +96,14 @@ TEST(DiagnosisText, TellsGainsOfLikelihoodsInNats) {
 
 TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
-  EXPECT_THAT(text, HasSubstr("verdict effect_found · P 0.97 (uncalibrated)"));
+  EXPECT_THAT(text, HasSubstr("verdict effect_found · probability 0.97 (uncalibrated)"));
   EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N*m"));
   EXPECT_THAT(text, HasSubstr("indistinguishable on these data: stribeck_friction @ joint.hinge"));
   EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]  1.1 × floor"));
   EXPECT_THAT(text,
-              HasSubstr("43 candidates were tried; chance gives as large a gain as the best of them with p = 0.0005"));
+              HasSubstr("43 candidates were tried; noise alone gains as much as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
-  EXPECT_THAT(text, HasSubstr("a test that tells coulomb_friction @ joint.hinge from the nearest other candidate: "
+  EXPECT_THAT(text, HasSubstr("next test, to separate coulomb_friction @ joint.hinge from the nearest other candidate: "
                               "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats per trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
@@ -184,7 +185,7 @@ TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
 
 TEST(DiagnosisText, TellsWhatAnAnswerLeavesBehindIt) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
-  EXPECT_THAT(text, HasSubstr("what is left:\nforce on joint.hinge: -0.0105*v*abs(v) N*m"));
+  EXPECT_THAT(text, HasSubstr("residual force:\nforce on joint.hinge: -0.0105*v*abs(v) N*m"));
   EXPECT_LT(text.find("coulomb_friction @ joint.hinge"), text.find("force on joint.hinge"));
   EXPECT_THAT(text, Not(HasSubstr("lacuna plugins new effect")));
 }

@@ -82,7 +82,7 @@ TEST(LearningCurves, SayHowManyTrialsReachTheErrorOfAnother) {
   EXPECT_EQ(trials_needed(mean, slow, slow).trials, 6);
   EXPECT_EQ(trials_needed(mean, slow, quick).trials, std::nullopt);
   const std::string table = learning_table({slow, quick}, &slow);
-  EXPECT_THAT(table, AllOf(HasSubstr("body.*.mass (kg)"), HasSubstr("trials for the last error of random"),
+  EXPECT_THAT(table, AllOf(HasSubstr("body.*.mass (kg)"), HasSubstr("trials to reach the final error of random"),
                            HasSubstr("3 [3, 3]"), HasSubstr("6e+03")));
   EXPECT_THAT(learning_table({slow, quick}, &quick), HasSubstr("more than 6"));
 }

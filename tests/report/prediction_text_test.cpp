@@ -38,34 +38,35 @@ PredictionReport report_with(std::size_t trials, double ratio) {
 }
 
 TEST(PredictionText, SaysThatModelsAgreeMoreThanTheyAreRight) {
-  EXPECT_EQ(
-      prediction_text(report_with(4, 2.0)),
-      "bench · run 3, pass 4 · 8 models · test 17\n"
-      "channel  95 % band ±  at most ±      at  held out inside  × spread\n"
-      "angle      7.07 mrad  8.00 mrad  0.50 s             90 %         2\n"
-      "4 trials that were new to the models at the time: 90 % of readings within the 95 % band\n"
-      "the models agree more than they are right: the band is 2 × their spread; with factors that the other trials "
-      "alone give, it holds 100 % of a trial's readings\n");
+  EXPECT_EQ(prediction_text(report_with(4, 2.0)),
+            "bench · run 3, pass 4 · 8 models · test 17\n"
+            "channel  95 % band ±  at most ±      at  new trials inside  × spread\n"
+            "angle      7.07 mrad  8.00 mrad  0.50 s               90 %         2\n"
+            "4 trials new to the models at the time: 90 % of their readings lie within the 95 % band\n"
+            "the errors of the models exceed their spread: the band is widened to 2 × the spread; with factors from "
+            "the other trials, it contains 100 % of a trial's readings\n");
 }
 
 TEST(PredictionText, LeavesABandThatHolds) {
   const std::string text = prediction_text(report_with(4, 0.9));
   EXPECT_THAT(text, testing::HasSubstr("3.54 mrad  4.00 mrad"));
-  EXPECT_THAT(text, testing::HasSubstr("the models are as right as they agree"));
+  EXPECT_THAT(text, testing::HasSubstr("the spread of the models matches their errors"));
 }
 
 TEST(PredictionText, DoesNotSpeakOfAgreementOfOneModel) {
   PredictionReport report = report_with(4, 2.0);
   report.prediction.models = 1;
   EXPECT_THAT(prediction_text(report),
-              testing::HasSubstr("the model errs by more than the noise of a reading: the band is 2 × that; with"));
+              testing::HasSubstr(
+                  "the errors of the model exceed the sensor noise: the band is widened to 2 × the noise; with"));
 }
 
 TEST(PredictionText, SaysWhereTooFewTrialsSupportASpread) {
   const std::string text = prediction_text(report_with(2, 2.0));
-  EXPECT_THAT(text, testing::HasSubstr("uncalibrated: 2 trials were new to the models at the time, and it takes 3"));
+  EXPECT_THAT(
+      text, testing::HasSubstr("uncalibrated: 2 trials were new to the models at the time, and a calibration takes 3"));
   EXPECT_THAT(text, testing::HasSubstr("4.00 mrad")) << "not widened";
-  EXPECT_THAT(text, testing::Not(testing::HasSubstr("held out")));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("new trials inside")));
 }
 
 TEST(PredictionText, NamesStructuresLostModelsAndWhatWasNotMeasured) {
@@ -79,9 +80,9 @@ TEST(PredictionText, NamesStructuresLostModelsAndWhatWasNotMeasured) {
   const std::string text = prediction_text(report);
   EXPECT_THAT(text, testing::HasSubstr("carried out as trial 2, new to the models"));
   EXPECT_THAT(text, testing::HasSubstr("dry friction       5\n-                  3\n"));
-  EXPECT_THAT(text, testing::HasSubstr("1 of 2 models cannot carry the test out and is left out: it exploded"));
+  EXPECT_THAT(text, testing::HasSubstr("1 of 2 models cannot simulate the test and is left out: it exploded"));
   EXPECT_THAT(text, testing::HasSubstr("3 of 5 models are copies of another and do not count"));
-  EXPECT_THAT(text, testing::HasSubstr("a single model has nothing to agree with"));
+  EXPECT_THAT(text, testing::HasSubstr("a single model has no spread"));
   EXPECT_THAT(text, testing::HasSubstr("no trial measured angle"));
 }
 

@@ -47,7 +47,7 @@ TEST(RunPictures, ShowErrorsWhereEachRunHidesValuesOfItsOwn) {
   const Panel panel = mass_panel({run_with(2.0, 2.5), run_with(6.0, 7.5)});
   EXPECT_EQ(drawn(panel, "truth"), 0.0);
   EXPECT_EQ(drawn(panel, "models of the last pass"), 1.0) << "the mean of 0.5 and 1.5";
-  EXPECT_EQ(panel.y_label, "mass, found minus hidden (kg)");
+  EXPECT_EQ(panel.y_label, "mass, estimate minus hidden value (kg)");
 }
 
 TEST(RunPictures, LeaveOutWhatNoModelAndNoTargetHas) {

@@ -54,7 +54,7 @@ std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, c
       Genome genome = guarded_call(encoding.origin, "random", [&] { return encoding->random(layout, stream); });
       const std::string problem = misfit(genome, layout);
       if (!problem.empty())
-        throw Error(to_string(encoding.origin) + ": its random genome " + problem + "; that is a fault of the plugin");
+        throw Error(to_string(encoding.origin) + ": its random genome " + problem + "; this is a fault of the plugin");
       return genome;
     };
     return std::make_unique<OperatorBreeder>(layout, random, std::move(mutations));

@@ -143,7 +143,7 @@ ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
     return model_encoding->decode(gene_space, model_encoding.parameters, genome);
   });
   if (const std::string fault = misfit(decoded, gene_space); !fault.empty())
-    throw Error(to_string(model_encoding.origin) + ": " + fault + "; that is a fault of the plugin: repair it");
+    throw Error(to_string(model_encoding.origin) + ": " + fault + "; this is a fault of the plugin: repair it");
   for (const std::size_t v : profiled)  // in ascending order, so that each insertion is at its final place
     decoded.values.insert(decoded.values.begin() + static_cast<std::ptrdiff_t>(v), 0.0);
   for (const std::size_t effect : decoded.without)

@@ -93,7 +93,7 @@ std::string enumerated(const std::vector<std::string>& changes) {
 }
 
 ProcessChanged::ProcessChanged(const std::string& deed)
-    : Error(deed + "; it was set back; that is a fault of the plugin: repair it or leave this component out"),
+    : Error(deed + "; it was set back; this is a fault of the plugin: repair it or leave this component out"),
       deed_(deed) {}
 
 void throw_if_process_changed(const char* what) {

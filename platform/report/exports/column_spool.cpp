@@ -83,7 +83,7 @@ std::FILE* temporary_file() {
   std::error_code missing;
   std::string name = (std::filesystem::temp_directory_path(missing) / "lacuna-export-XXXXXX").string();
   const int descriptor = missing ? -1 : ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor < 0) fail("cannot be made");
+  if (descriptor < 0) fail("cannot be created");
   ::unlink(name.c_str());
   return ::fdopen(descriptor, "w+b");
 }
@@ -105,7 +105,7 @@ void ColumnSpool::write_out(Column& column) {
   const std::string& bytes = column.waiting;
   if (!file_ || ::fseeko(file_.get(), end_, SEEK_SET) != 0 ||
       std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) < bytes.size() || std::fflush(file_.get()) != 0)
-    fail("cannot be written to its end");
+    fail("cannot be written completely");
   column.written.push_back({end_, bytes.size()});
   end_ += static_cast<std::int64_t>(bytes.size());
   column.waiting.clear();

@@ -24,7 +24,7 @@ Figure figure_of(const TrialComparison& trial, std::size_t channel, const std::s
   const std::vector<double> times(trial.times.data(), trial.times.data() + trial.times.size());
   const Series measured{"measured", Mark::line, kGrey, times, column(trial.measured, index), {}, kBroad};
   const Series predicted{"predicted", Mark::line, kBlue, times, column(trial.predicted, index), {}};
-  const Series residual{"measured - predicted, " + times_floor_text(score.times_floor) + " × floor",
+  const Series residual{"measured − predicted, " + times_floor_text(score.times_floor) + " × floor",
                         Mark::line,
                         kOrange,
                         times,

@@ -140,8 +140,8 @@ Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
   Panel panel{"", {bars_of(rows, true), bars_of(rows, false), intervals_of(rows)}, 1.0, {}};
   if (panel.series.front().x.empty()) panel.series[1].label = "held-out gain";  // no answer
   for (const RankedRow& row : rows) panel.y_names.push_back(row.name);
-  std::string label = "how much lower the mean log error is than the model's, where not fitted [nats; 0.69: half]";
-  if (diagnosis.method == DiagnosisMethod::likelihood) label = "held-out log likelihood over the model [nats]";
+  std::string label = "gain: decrease of the mean log error in cross-validation [nats; 0.69 is half the error]";
+  if (diagnosis.method == DiagnosisMethod::likelihood) label = "gain: increase of the held-out log likelihood [nats]";
   Figure figure{fmt::format("{} · {}", title, verdict_text(diagnosis)), label, {panel}};
   figure.height = 200 + 44 * static_cast<int>(rows.size());
   return figure;
@@ -155,7 +155,7 @@ Figure horizons_figure(const Diagnosis& diagnosis, const std::string& title) {
     if (panel.series.empty()) {
       panel.y_label = fmt::format("{} [{}]", error.channel, error.unit);
       panel.log_y = true;
-      panel.series = {{"the model as it is", Mark::line_points, kOrange, {}, {}, {}},
+      panel.series = {{"the model alone", Mark::line_points, kOrange, {}, {}, {}},
                       {"with the answer", Mark::line_points, kBlue, {}, {}, {}},
                       {"with the answer, held out", Mark::line_points, kGreen, {}, {}, {}},
                       {"floor", Mark::line, kGrey, {}, {}, {}}};
@@ -167,7 +167,7 @@ Figure horizons_figure(const Diagnosis& diagnosis, const std::string& title) {
       panel.series[i].y.push_back(values[i]);
     }
   }
-  Figure figure{fmt::format("{} · error of predictions", title), "horizon [s]", {}};
+  Figure figure{fmt::format("{} · prediction error", title), "horizon [s]", {}};
   for (auto& [channel, panel] : panels) {
     std::erase_if(panel.series, [](const Series& series) { return series.x.empty(); });
     figure.panels.push_back(std::move(panel));

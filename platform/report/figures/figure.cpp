@@ -30,11 +30,12 @@ class MemoryFile {
     std::size_t written = 0;
     while (descriptor_ >= 0 && written < content.size()) {
       const ssize_t count = write(descriptor_, content.data() + written, content.size() - written);
-      if (count <= 0) throw Error(std::string("no room for the commands of a picture: ") + std::strerror(errno));
+      if (count <= 0)
+        throw Error(std::string("not enough memory for the commands of a picture: ") + std::strerror(errno));
       written += static_cast<std::size_t>(count);
     }
     if (descriptor_ < 0 || lseek(descriptor_, 0, SEEK_SET) != 0)
-      throw Error(std::string("no room for a picture: ") + std::strerror(errno));
+      throw Error(std::string("not enough memory for a picture: ") + std::strerror(errno));
   }
   ~MemoryFile() { close(descriptor_); }
   MemoryFile(const MemoryFile&) = delete;

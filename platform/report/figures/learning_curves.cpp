@@ -96,7 +96,7 @@ void add_curve(Panel& panel, const LearningCurve& curve, std::size_t index, cons
 
 Figure curve_figure(const std::vector<LearningCurve>& curves, const MeanError& mean, const std::string& x_label) {
   Figure figure;
-  figure.title = "Error of the best model: means over the runs, bars are 95 % intervals";
+  figure.title = "Error of the best model (mean over the runs, bars: 95 % intervals)";
   figure.x_label = x_label;
   figure.panels.resize(1);
   figure.panels[0].y_label = curves.empty() ? "" : error_label(curves.front());
@@ -186,7 +186,7 @@ TrialsNeeded trials_needed(const MeanError& mean, const LearningCurve& curve, co
 std::string learning_table(const std::vector<LearningCurve>& curves, const LearningCurve* against) {
   std::vector<std::vector<std::string>> table = {
       {"experiment", "runs", "error", "after 1 trial", "half way", "last", "trials", "steps"}};
-  if (against) table.front().push_back("trials for the last error of " + against->experiment);
+  if (against) table.front().push_back("trials to reach the final error of " + against->experiment);
   const MeanError mean(curves);
   for (const LearningCurve& curve : curves) {
     const int most = most_trials(curve);

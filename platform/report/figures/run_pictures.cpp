@@ -130,8 +130,8 @@ Panel parameter_panel(const std::vector<DrawnRun>& runs, const std::vector<std::
   const bool errors = truths_differ(runs, which);
   Panel panel;
   const FreeValueRecord& first = record.free[which.front()];
-  panel.y_label = with_unit(first.address.substr(first.address.rfind('.') + 1) + (errors ? ", found minus hidden" : ""),
-                            first.unit);
+  panel.y_label = with_unit(
+      first.address.substr(first.address.rfind('.') + 1) + (errors ? ", estimate minus hidden value" : ""), first.unit);
   Series truth{.label = "truth", .mark = Mark::points, .colour = kOrange, .x = {}, .y = {}, .y2 = {}};
   Series found{.label = "models of the last pass", .mark = Mark::points, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
   const std::string bars = runs.size() > 1 ? "standard deviation between runs" : "";
@@ -223,7 +223,7 @@ std::vector<NamedFigure> run_figures(const std::vector<DrawnRun>& runs, const st
   add("transfer", "pass", transfer_panels(runs));
   add("paths", "x from the start (m)", path_panels(runs.front()));
   if (figures.back().name == "paths") figures.back().figure.maps = true;
-  if (runs.size() > 1 && figures.back().name == "paths") figures.back().figure.title += ", the first of them";
+  if (runs.size() > 1 && figures.back().name == "paths") figures.back().figure.title += ", the first run";
   return figures;
 }
 

@@ -71,7 +71,8 @@ std::optional<Figure> regimes_figure(const ResidualView& view, const FeatureTabl
   if (parts.empty()) parts = parts_by_feature(view, table);
   if (parts.empty()) return std::nullopt;
   constexpr double kHeight = 0.36;
-  Series error{"of squares", Mark::bars, kOrange, {}, {}, {}}, samples{"of samples", Mark::bars, kGrey, {}, {}, {}};
+  Series error{"of squared error", Mark::bars, kOrange, {}, {}, {}},
+      samples{"of samples", Mark::bars, kGrey, {}, {}, {}};
   Panel panel{"", {}, 1.0, {}};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto at = static_cast<double>(i);

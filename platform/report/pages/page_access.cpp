@@ -65,12 +65,12 @@ PageAccess::PageAccess(std::string token, std::string host)
 
 std::string PageAccess::refusal(const WebRequest& request) const {
   if (!is_own_name(host_name(lower_case(request.header("host")))))
-    return "this is not a name of this machine; open the address that `lacuna serve` printed";
+    return "this name does not belong to this machine; open the address that `lacuna serve` printed";
   if (comes_from_elsewhere(request))
-    return "another site's page may not ask; open the address that `lacuna serve` printed";
+    return "pages of other sites have no access; open the address that `lacuna serve` printed";
   const std::string token = request.method == "GET" ? request.parameter("token") : request.header("x-lacuna-token");
   if (!same_token(token_, token))
-    return "the token is missing or wrong; open the address that `lacuna serve` printed, token included";
+    return "the token is missing or wrong; open the complete address that `lacuna serve` printed";
   return "";
 }
 

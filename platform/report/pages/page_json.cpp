@@ -51,7 +51,7 @@ std::string page_json(const PageTable& table, bool typed, std::size_t most_bytes
       text += page_json(json_of(row[i], typed));
       if (text.size() > most_bytes)
         throw Error(
-            fmt::format("the answer is longer than {} MB; ask for fewer rows or columns", most_bytes / 1'000'000));
+            fmt::format("the answer is longer than {} MB; select fewer rows or columns", most_bytes / 1'000'000));
     }
     text += ']';
   }

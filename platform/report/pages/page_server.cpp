@@ -70,11 +70,11 @@ bool is_cacheable(const std::string& sql) { return sql.find("page_replay") == st
 template <typename Answer>
 WebAnswer answer_to(const std::string& question, const Answer& answer) {
   if (nests_too_deep(question))
-    return trouble(400, fmt::format("the question nests arrays and objects more than {} levels deep", kDeepestJson));
+    return trouble(400, fmt::format("the request nests arrays and objects more than {} levels deep", kDeepestJson));
   try {
     return {200, "application/json", answer(PageJson::parse(question))};
   } catch (const PageJson::exception& error) {
-    return trouble(400, std::string("the question cannot be read: ") + error.what());
+    return trouble(400, std::string("the request cannot be read: ") + error.what());
   } catch (const std::exception& error) {
     return trouble(200, error.what());
   }
@@ -97,7 +97,7 @@ struct PageServer::Impl {
     if (request.method != "POST") return reply(plain(404, "there is no such page"));
     // Another site's page cannot send this content type unasked.
     if (!request.header("content-type").starts_with("application/json"))
-      return reply(trouble(415, "a question is application/json"));
+      return reply(trouble(415, "a request must be application/json"));
     if (request.path == "/state")
       return reply(answer_to(request.body, [this](const PageJson&) { return answer_state(); }));
     if (request.path == "/show")
@@ -107,7 +107,7 @@ struct PageServer::Impl {
     if (request.path == "/replay")
       return ask(replays, std::move(request.body), reply,
                  [this](const PageJson& asked) { return answer_replay(asked); });
-    reply(plain(404, "there is no such question"));
+    reply(plain(404, "there is no such request"));
   }
 
   /// A question whose client has gone before its turn is dropped.
@@ -117,7 +117,7 @@ struct PageServer::Impl {
       reply(answer_to(question, answer));
     };
     if (!queue.add(work, [reply] { return reply.is_wanted(); }))
-      reply(trouble(503, "too many questions are waiting; ask again when some are answered"));
+      reply(trouble(503, "too many requests are waiting; try again later"));
   }
 
   Text answer_state() {
@@ -151,7 +151,8 @@ struct PageServer::Impl {
     const std::string stamp = stamp_of(options.database);
     if (stamp.empty()) {
       told.clear();
-      throw Error(fmt::format("{}: is gone; this page goes on when it is back", options.database.string()));
+      throw Error(
+          fmt::format("{}: the file is missing; the page continues when it is back", options.database.string()));
     }
     if (told.empty() || share.is_paid_off()) told = stamp;
     return told;

@@ -70,7 +70,7 @@ WebAnswer sentence(int status, const std::string& text) {
 std::optional<WebAnswer> answer_to(error_code fault) {
   if (fault == http::error::header_limit) return sentence(431, "the header is longer than 16 KB");
   if (fault == http::error::body_limit || fault == http::error::buffer_overflow)
-    return sentence(413, "the question is longer than 1 MB");
+    return sentence(413, "the request is longer than 1 MB");
   if (fault == http::error::end_of_stream || fault == http::error::partial_message) return std::nullopt;
   const bool is_syntax = fault.category() == http::make_error_code(http::error::bad_method).category();
   return is_syntax ? std::optional(sentence(400, "this is not an HTTP request: " + fault.message())) : std::nullopt;
@@ -204,7 +204,7 @@ void WebConnection::answer(WebAnswer answer) {
   if (state_ != State::waiting) return;  // gone, or answered before
   answer_ = std::move(answer);
   if (all_.bytes_under_way_ > 0 && all_.bytes_under_way_ + answer_.text->size() > kMostUnderWay)
-    answer_ = sentence(503, "too many answers are being read; ask again later");
+    answer_ = sentence(503, "too many answers are being sent; try again later");
   all_.bytes_under_way_ += answer_.text->size();
   enter(State::writing);
   write();
@@ -240,7 +240,7 @@ void WebConnection::drain() {
 /// What its socket takes at once; unread bytes would take it away again.
 void WebConnection::dismiss() {
   if (state_ == State::reading) {
-    const WebAnswer busy = sentence(503, "too many clients are connected; ask again later");
+    const WebAnswer busy = sentence(503, "too many clients are connected; try again later");
     const std::string told = head_of(busy) + *busy.text;
     const int socket = stream_.socket().native_handle();
     std::array<char, 4096> unread{};

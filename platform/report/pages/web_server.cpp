@@ -49,10 +49,9 @@ std::string cannot_listen(boost::asio::io_context& io, const WebServerOptions& o
   Acceptor another(io);
   const bool host_is_at_fault = options.port == 0 || !listen(another, options.host, 0);
   if (host_is_at_fault)
-    return fmt::format(
-        "{}: is no address of this machine that can be listened at; choose another with --host, or leave it out",
-        options.host);
-  return fmt::format("{}: cannot be listened at port {}; choose another with --port", options.host, options.port);
+    return fmt::format("{}: this machine cannot listen at this address; choose another with --host, or leave it out",
+                       options.host);
+  return fmt::format("{}: cannot listen at port {}; choose another with --port", options.host, options.port);
 }
 
 }  // namespace

@@ -42,9 +42,8 @@ std::string failed_text(const Comparison& comparison) {
     if (!trial.valid) failed.push_back(trial.trial + ": " + trial.reason);
   if (failed.empty()) return "";
   return fmt::format(
-      "{} of {} cannot be simulated, so the error over all of them is not known ({}) → a smaller engine.step, or "
-      "bounds "
-      "that keep the free values where the model holds\n",
+      "{} of {} cannot be simulated, so their common error is not known ({}). Next: use a smaller engine.step, or "
+      "narrower bounds of the free values\n",
       failed.size(), counted(comparison.trials.size(), "trial"), fmt::join(failed, "; "));
 }
 
@@ -67,15 +66,16 @@ const PooledScore* furthest(const Comparison& comparison, bool held_out) {
 
 /// Why an error that its start explains may be a right model's.
 std::string by_the_start(const Comparison& comparison, const PooledScore& score) {
-  return fmt::format("which the uncertain start can explain (a right model leaves up to {} × from such starts)",
+  return fmt::format("which the initial-state uncertainty can explain (a right model has up to {} × with such starts)",
                      times_floor_text(kAtTheFloor * explained(comparison, score) / score.floor));
 }
 
 /// That the fit trials' error is where a right model's may be, and why.
 std::string at_the_floor(const Comparison& comparison, const PooledScore& score) {
   const std::string times = times_floor_text(score.times_floor);
-  if (score.times_floor <= kAtTheFloor) return fmt::format("model is at the floor ({} ×)", times);
-  return fmt::format("model is at the floor as far as can be told: {} ×, {}", times, by_the_start(comparison, score));
+  if (score.times_floor <= kAtTheFloor)
+    return fmt::format("Error is {} × the noise floor: as small as the noise allows", times);
+  return fmt::format("Error is {} × the noise floor, {}", times, by_the_start(comparison, score));
 }
 
 /// What the held-out trials say against a model that is at the floor of the fit trials.
@@ -83,11 +83,11 @@ std::string held_out_text(const Comparison& comparison, const std::string& diagn
   const PooledScore* worst = furthest(comparison, true);
   if (worst == nullptr || !(worst->times_floor > kAtTheFloor)) return "";
   if (times_explained(comparison, *worst) <= kAtTheFloor)
-    return fmt::format(" on the fit files; on the held-out files {} {} ×, {}", worst->channel,
-                       times_floor_text(worst->times_floor), by_the_start(comparison, *worst));
+    return fmt::format(". On the held-out files: {} {} ×, {}", worst->channel, times_floor_text(worst->times_floor),
+                       by_the_start(comparison, *worst));
   return fmt::format(
-      " on the fit files, but not on the held-out files: {} {} ×, most in {} at {:.2f} s. Either its motion shows what "
-      "the fit files do not, or its recording differs → move a held-out file to target.files, then {}",
+      ". On the held-out files: {} {} ×, largest in {} at {:.2f} s. Either this motion excites an effect that the fit "
+      "files do not, or the recording differs. Next: move a held-out file to target.files, then {}",
       worst->channel, times_floor_text(worst->times_floor), worst->worst_trial, worst->worst_time, diagnose);
 }
 
@@ -96,12 +96,13 @@ std::string held_out_text(const Comparison& comparison, const std::string& diagn
 std::string advice_text(const Comparison& comparison, const std::string& diagnose) {
   if (std::string failed = failed_text(comparison); !failed.empty()) return failed;
   if (const PooledScore* score = without_floor(comparison); score != nullptr)
-    return fmt::format("the floor of {} is not known: {}\n", score->channel, score->floor_origin);
+    return fmt::format("the noise floor of {} is not known: {}\n", score->channel, score->floor_origin);
   const PooledScore* worst = furthest(comparison, false);
-  if (worst == nullptr) return "no fit trial was scored, so nothing tells whether an effect is missing\n";
+  if (worst == nullptr) return "no fit trial was scored, so it is not known whether an effect is missing\n";
   if (worst->times_floor <= kAtTheFloor || times_explained(comparison, *worst) <= kAtTheFloor)
     return at_the_floor(comparison, *worst) + held_out_text(comparison, diagnose) + "\n";
-  return fmt::format("model is above the floor ({} ×) → {}\n", times_floor_text(worst->times_floor), diagnose);
+  return fmt::format("Error is {} × the noise floor: something is missing. Next: {}\n",
+                     times_floor_text(worst->times_floor), diagnose);
 }
 
 }  // namespace lacuna

@@ -39,7 +39,7 @@ std::vector<std::string> horizon_row(const RevisionErrors& before, const Revisio
   const double then = restarted_error(before.comparison, channel.channel, horizon, false);
   const double now = restarted_error(after.comparison, channel.channel, horizon, false);
   if (!std::isfinite(then) || !std::isfinite(now)) return {};
-  return {fmt::format(" over {:g} s", horizon),
+  return {fmt::format(" {:g} s segments", horizon),
           format_quantity(then, channel.unit) + " →",
           format_quantity(now, channel.unit),
           "",
@@ -115,13 +115,13 @@ void add_rises(const TrialComparison& before, const TrialComparison& after, std:
 
 std::string rises_text(const std::vector<ErrorRise>& rises, const std::string& undo) {
   if (rises.empty()) return "";
-  std::vector<std::vector<std::string>> rows = {{"larger than before", "", "", "RMSE", ""}};
+  std::vector<std::vector<std::string>> rows = {{"increased errors", "", "", "RMSE", ""}};
   for (const ErrorRise& rise : rises)
     rows.push_back({rise.channel, (rise.held_out ? "held out " : "") + rise.trial,
-                    rise.horizon > 0.0 ? fmt::format("every {:g} s", rise.horizon) : "free run",
+                    rise.horizon > 0.0 ? fmt::format("{:g} s segments", rise.horizon) : "free run",
                     format_quantity(rise.before, rise.unit) + " →",
                     std::isfinite(rise.after) ? format_quantity(rise.after, rise.unit) : "cannot be simulated"});
-  return text_table(rows) + (undo.empty() ? "" : fmt::format("to take the change back: {}\n", undo));
+  return text_table(rows) + (undo.empty() ? "" : fmt::format("to undo the change: {}\n", undo));
 }
 
 nlohmann::ordered_json document(const ErrorRise& rise) {

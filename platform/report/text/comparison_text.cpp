@@ -30,9 +30,9 @@ std::string heading_line(const ComparisonHeading& heading, const Comparison& com
       std::count_if(comparison.trials.begin(), comparison.trials.end(), [](const auto& t) { return t.held_out; }));
   std::string line = heading.experiment + " · " + counted(comparison.trials.size() - held_out, "fit trial");
   if (held_out > 0) line += fmt::format(", {} held out (look {})", held_out, heading.look);
-  if (!heading.refitted) return line + " · as written, not fitted\n";
+  if (!heading.refitted) return line + " · values as written, not fitted\n";
   line += " · refitted " + counted(fit.values.size(), "value");
-  return line + (heading.reused ? " (known)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
+  return line + (heading.reused ? " (fit from the database)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
 }
 
 /// Of a file whose floor is so many times another one than that of all fit files, it is shown.
@@ -42,7 +42,7 @@ constexpr double kAnotherFloor = 1.5;
 std::string own_floor(const ChannelScore& score, double floor) {
   const double times = score.floor / floor;
   if (!(times > kAnotherFloor || times < 1.0 / kAnotherFloor)) return "";
-  return fmt::format(" of {}", quantity(score.floor, score.unit));
+  return fmt::format(" (floor {})", quantity(score.floor, score.unit));
 }
 
 std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelScore& score, double floor) {
@@ -72,18 +72,18 @@ std::string horizons_line(const Comparison& comparison, const std::string& chann
 }
 
 std::string floor_line(const Comparison& comparison, const PooledScore& pooled) {
-  std::string line = "floor " + quantity(pooled.floor, pooled.unit);
+  std::string line = "noise floor " + quantity(pooled.floor, pooled.unit);
   if (!pooled.floor_origin.empty()) line += " (" + pooled.floor_origin + ")";
   double numerical = 0.0;
   for (const PooledScore& other : comparison.pooled)
     if (other.channel == pooled.channel && other.numerical) numerical = std::max(numerical, *other.numerical);
   if (pooled.from_start > kStartWorthASay * pooled.floor)
-    line += " · start " + quantity(pooled.from_start, pooled.unit);
-  return line + " · numerical " + quantity(numerical, pooled.unit) + "\n";
+    line += " · initial state " + quantity(pooled.from_start, pooled.unit);
+  return line + " · numerical error " + quantity(numerical, pooled.unit) + "\n";
 }
 
 std::string as_written_line(const Comparison& comparison, const PooledScore& pooled) {
-  std::string line = "as written, unfitted: fit " + quantity(pooled.rmse_as_written, pooled.unit);
+  std::string line = "with the values as written: fit " + quantity(pooled.rmse_as_written, pooled.unit);
   for (const PooledScore& other : comparison.pooled)
     if (other.channel == pooled.channel && other.held_out)
       line += ", held out " + quantity(other.rmse_as_written, other.unit);
@@ -116,11 +116,12 @@ std::string comparison_text(const ComparisonHeading& heading, const Comparison& 
 }
 
 std::string cross_check_text(const CrossCheck& check) {
-  std::string text = fmt::format("cross-check with {} ({} steps in each, extrapolated to infinitely many):\n",
-                                 check.engine, check.substeps);
+  std::string text =
+      fmt::format("cross-check with {} ({} integration steps per step, extrapolated to infinitely many):\n",
+                  check.engine, check.substeps);
   for (const EngineDistance& one : check.channels)
-    text += fmt::format("  {}: {} apart, {:.2g} of the error\n", one.channel, quantity(one.apart, one.unit),
-                        one.apart / one.error);
+    text += fmt::format("  {}: difference {}, {:.2g} × the error of the model\n", one.channel,
+                        quantity(one.apart, one.unit), one.apart / one.error);
   for (const std::string& reason : check.left_out) text += "  left out: " + reason + "\n";
   return text;
 }
@@ -142,7 +143,7 @@ std::string data_checks_text(const std::vector<Doubt>& doubts) {
   std::string text;
   for (const std::string& fault : faults_among(doubts)) text += "data check failed: " + fault + "\n";
   if (!text.empty())
-    text += "the fitted values may be wrong, and so may what lacuna diagnose says: correct the data first\n";
+    text += "correct the data first: the fitted values and the verdict of lacuna diagnose may be wrong\n";
   for (const std::string& limit : limits_among(doubts)) text += "note: " + limit + "\n";
   return text;
 }

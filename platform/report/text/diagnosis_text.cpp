@@ -47,9 +47,9 @@ std::string change_text(double before, double after, const std::string& unit) {
 /// Errors by horizon: of the model as it is and with the answer, fitted and held out.
 std::string horizons_text(const Diagnosis& diagnosis) {
   const bool has_answer = diagnosis.verdict == Verdict::effect_found;
-  std::vector<std::vector<std::string>> rows = {{"error of predictions", "fit", "", "held out", "", "floor"}};
+  std::vector<std::vector<std::string>> rows = {{"prediction error", "fit", "", "held out", "", "noise floor"}};
   for (const HorizonError& one : diagnosis.horizons) {
-    const std::string what = fmt::format("{} over {}", one.channel, format_quantity(one.horizon, "s", 2));
+    const std::string what = fmt::format("{}, {} segments", one.channel, format_quantity(one.horizon, "s", 2));
     const std::string floor = format_quantity(one.floor, one.unit, 2);
     if (has_answer)
       rows.push_back({what, change_text(one.base, one.answer, one.unit), error_change_text(one.answer, one.base),
@@ -119,7 +119,7 @@ std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, bool
 std::string ranking_text(const Diagnosis& diagnosis) {
   const bool by_likelihood = is_by_likelihood(diagnosis);
   std::vector<std::vector<std::string>> rows = {
-      {"", "", by_likelihood ? "gain held out" : "error where not fitted", by_likelihood ? "error" : "fitted"}};
+      {"", "", by_likelihood ? "gain held out" : "cross-validated error", by_likelihood ? "error" : "fitted error"}};
   for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i)
     rows.push_back(row_of(i + 1, diagnosis.ranking[i], by_likelihood));
   const std::string table = text_table(rows, 2);
@@ -133,7 +133,7 @@ std::string formula_text(const Diagnosis& diagnosis) {
   for (const ForceFormula& formula : diagnosis.formulas)
     text += fmt::format("force on joint.{}: {} {}   {}\n", formula.joint, formula.text(), formula.unit,
                         is_by_likelihood(diagnosis) ? gain_text(formula.gain) + " nats held out"
-                                                    : smaller_text(formula.gain) + " error where not fitted");
+                                                    : smaller_text(formula.gain) + " cross-validated error");
   return text;
 }
 
@@ -141,7 +141,7 @@ std::string formula_text(const Diagnosis& diagnosis) {
 std::string answers_text(const Diagnosis& diagnosis) {
   if (diagnosis.formulas.empty() || diagnosis.ranking.empty()) return formula_text(diagnosis) + ranking_text(diagnosis);
   if (diagnosis.verdict == Verdict::effect_found)
-    return ranking_text(diagnosis) + "what is left:\n" + formula_text(diagnosis);
+    return ranking_text(diagnosis) + "residual force:\n" + formula_text(diagnosis);
   return formula_text(diagnosis) + "best candidates of the library:\n" + ranking_text(diagnosis);
 }
 
@@ -162,14 +162,14 @@ std::string chance_text(const Diagnosis& diagnosis) {
   std::string text = fmt::format("{} {} tried", counted(diagnosis.hypotheses, "candidate"),
                                  diagnosis.hypotheses == 1 ? "was" : "were");
   if (diagnosis.p_by_chance)
-    text += fmt::format("; chance gives as large a gain as the best of them with p = {:.2g}", *diagnosis.p_by_chance);
-  return text + fmt::format("; the model alone has an error of {:.3g} × floor\n", diagnosis.base_times_floor);
+    text += fmt::format("; noise alone gains as much as the best of them with p = {:.2g}", *diagnosis.p_by_chance);
+  return text + fmt::format("; error of the model alone {:.3g} × floor\n", diagnosis.base_times_floor);
 }
 
 /// In a setup the commands alone are not the test, so that the line to type names it, too.
 std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   if (diagnosis.next_test.empty()) return "";
-  std::string text = fmt::format("a test that tells {} from the nearest other candidate: {}\n",
+  std::string text = fmt::format("next test, to separate {} from the nearest other candidate: {}\n",
                                  diagnosis.ranking.empty() ? "the answer" : names_text(diagnosis.ranking.front()),
                                  diagnosis.next_test_worth);
   if (diagnosis.next_test_setup)
@@ -205,8 +205,8 @@ std::string add_text(const Diagnosis& diagnosis, const std::string& file, const 
 std::string verdict_text(const Diagnosis& diagnosis) {
   if (diagnosis.stopped) return fmt::format("{} · preliminary", to_string(diagnosis.verdict));
   if (std::isnan(diagnosis.probability)) return std::string(to_string(diagnosis.verdict));
-  return fmt::format("{} · P {} ({})", to_string(diagnosis.verdict), probability_text(diagnosis.probability),
-                     diagnosis.calibrated ? "calibrated on simulated rigs" : "uncalibrated");
+  return fmt::format("{} · probability {} ({})", to_string(diagnosis.verdict), probability_text(diagnosis.probability),
+                     diagnosis.calibrated ? "calibrated on simulated experiments" : "uncalibrated");
 }
 
 std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options,
@@ -214,7 +214,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
   if (diagnosis.base.empty())  // nothing was searched
     return diagnosis.stopped
                ? fmt::format("verdict {}\n{}\n", verdict_text(diagnosis), fmt::join(diagnosis.findings, "\n"))
-               : fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
+               : fmt::format("verdict {} · these data allow no verdict\n{}\n", to_string(diagnosis.verdict),
                              fmt::join(diagnosis.findings, "\n"));
   std::string text = "verdict " + verdict_text(diagnosis) + "\n";
   text += horizons_text(diagnosis) + answers_text(diagnosis);
@@ -224,7 +224,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
   text += untestable_text(diagnosis);
   text += next_test_text(diagnosis, file, options);
   return text + (correction.empty() ? add_text(diagnosis, file, options)
-                                    : fmt::format("→ first correct the readings, {}, then lacuna diagnose {}{}\n",
+                                    : fmt::format("→ correct the readings first, {}, then lacuna diagnose {}{}\n",
                                                   correction, shell_word(file), options));
 }
 

@@ -28,7 +28,7 @@ std::string bar(const HistoryRow& row, double largest, bool held_out_known) {
   if (row.failed_trials > 0) return counted(static_cast<std::size_t>(row.failed_trials), "trial") + " failed";
   if (!row.fitted && row.channel.empty()) return "not fitted";
   if (!std::isfinite(row.times_floor))
-    return std::isfinite(row.fit_rmse) || std::isfinite(row.held_out_rmse) ? "floor not known" : "not compared";
+    return std::isfinite(row.fit_rmse) || std::isfinite(row.held_out_rmse) ? "noise floor not known" : "not compared";
   const std::string drawn = text_bar(row.times_floor / largest, kBarWidth);
   return held_out_known && !std::isfinite(row.held_out_rmse) ? drawn + " fit files" : drawn;
 }

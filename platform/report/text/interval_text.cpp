@@ -25,7 +25,7 @@ IntervalText interval_text(const FittedValue& value) {
   if (value.at_lower_bound) return {number(value.value), "at its lower bound"};
   if (value.at_upper_bound) return {number(value.value), "at its upper bound"};
   if (std::isnan(value.lower_95) && std::isnan(value.upper_95)) return {number(value.value), ""};
-  if (!value.identified) return {number(value.value), "not told by the data"};
+  if (!value.identified) return {number(value.value), "not determined"};
   return {number(value.value), fmt::format("[{}, {}]", number(value.lower_95), number(value.upper_95))};
 }
 

@@ -12,7 +12,7 @@ int interval_digits(double value, double width);
 /// A fitted value and its 95 % interval with as many digits as the interval's width deserves.
 struct IntervalText {
   std::string value;     ///< "0.0241"
-  std::string interval;  ///< "[0.0240, 0.0242]", "at its lower bound", "not told by the data"; "": not fitted
+  std::string interval;  ///< "[0.0240, 0.0242]", "at its lower bound", "not determined"; "": not fitted
 };
 IntervalText interval_text(const FittedValue& value);
 

@@ -19,7 +19,7 @@ std::string model_title(const ModelPrediction& prediction) {
       fmt::format("{} · revision {} · {} · {}", prediction.experiment, prediction.revision, values,
                   prediction.test.empty() ? counted(prediction.parts.size(), "fit trial") : prediction.test);
   if (prediction.setup)
-    line += " · " + setup_text(*prediction.setup) + (prediction.setup_is_asked ? "" : ", that of the first recording");
+    line += " · " + setup_text(*prediction.setup) + (prediction.setup_is_asked ? "" : " (the first recording's)");
   return line + "\n";
 }
 
@@ -42,10 +42,10 @@ std::string model_prediction_text(const ModelPrediction& prediction) {
     }
   std::string text = model_title(prediction) + text_table(table, 2);
   for (const std::string& failed : prediction.failed) text += failed + "\n";
-  text += "This is one model, so there is no spread and no band: nothing here says how sure the prediction is.\n";
+  text += "A single model has no spread, so this prediction has no uncertainty band.\n";
   if (prediction.test.empty() && prediction.held_out > 0)
     text += fmt::format(
-        "{} left out: lacuna compare looks at held-out trials and counts the looks.\n",
+        "{} left out: only lacuna compare reads held-out trials, because it counts the looks.\n",
         prediction.held_out == 1 ? "1 held-out trial is" : counted(prediction.held_out, "held-out trial") + " are");
   return text;
 }

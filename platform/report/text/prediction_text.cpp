@@ -26,7 +26,7 @@ std::string title_line(const PredictionReport& report) {
   std::string line = fmt::format("{} · run {}, pass {} · {} · {}", report.experiment, report.run, report.pass,
                                  counted(report.prediction.models, "model"), report.test);
   if (report.setup)
-    line += " · " + setup_text(*report.setup) + (report.setup_is_asked ? "" : ", that of the first recording");
+    line += " · " + setup_text(*report.setup) + (report.setup_is_asked ? "" : " (the first recording's)");
   if (report.measured)
     line += fmt::format(" · carried out as trial {}, {}", report.measured->trial,
                         report.measured->fitted ? "to which the models were fitted" : "new to the models");
@@ -51,7 +51,7 @@ std::vector<std::string> channel_row(const PredictionReport& report, std::size_t
 std::string band_table(const PredictionReport& report) {
   std::vector<std::vector<std::string>> table = {{"channel", "95 % band ±", "at most ±", "at"}};
   if (report.support.enough()) {
-    table.front().emplace_back("held out inside");
+    table.front().emplace_back("new trials inside");
     table.front().emplace_back("× spread");
   }
   for (std::size_t c = 0; c < report.prediction.channels.size(); ++c) table.push_back(channel_row(report, c));
@@ -86,8 +86,8 @@ bool is_widened(const BandSupport& support) {
 
 std::string too_few(std::size_t trials) {
   return fmt::format(
-      "uncalibrated: {} {} new to the models at the time, and it takes {} to tell whether a spread is right; the band "
-      "is the spread between the models and the noise of a reading\n",
+      "uncalibrated: {} {} new to the models at the time, and a calibration takes {}; the band is the spread of the "
+      "models and the sensor noise\n",
       counted(trials, "trial"), trials == 1 ? "was" : "were", kFewestHeldOut);
 }
 
@@ -95,47 +95,46 @@ std::string support_lines(const PredictionReport& report) {
   const BandSupport& support = report.support;
   if (!support.enough()) return too_few(support.all.trials);
   const bool single = report.prediction.models == 1;
-  std::string text = fmt::format("{} that were new to the models at the time: {} of readings within the 95 % band\n",
+  std::string text = fmt::format("{} new to the models at the time: {} of their readings lie within the 95 % band\n",
                                  counted(support.all.trials, "trial"), share_text(support.all.inside));
   if (!is_widened(support))
-    return text + (single ? "the band is the noise of a reading\n"
-                          : "the models are as right as they agree: the band is their spread\n");
-  return text +
-         fmt::format("{} × {}; with factors that the other trials alone give, it holds {} of a trial's readings\n",
-                     (single ? "the model errs by more than the noise of a reading: the band is "
-                             : "the models agree more than they are right: the band is ") +
-                         widenings(support),
-                     single ? "that" : "their spread", share_text(support.widened));
+    return text + (single ? "the band is the sensor noise\n"
+                          : "the spread of the models matches their errors: the band is not widened\n");
+  return text + fmt::format("{} × {}; with factors from the other trials, it contains {} of a trial's readings\n",
+                            (single ? "the errors of the model exceed the sensor noise: the band is widened to "
+                                    : "the errors of the models exceed their spread: the band is widened to ") +
+                                widenings(support),
+                            single ? "the noise" : "the spread", share_text(support.widened));
 }
 
 std::string minded_lines(const PredictionReport& report) {
   const EnsemblePrediction& prediction = report.prediction;
   std::string text;
   if (!prediction.lost.empty())
-    text += fmt::format("{} of {} cannot carry the test out and {} left out: {}\n", prediction.lost.size(),
+    text += fmt::format("{} of {} cannot simulate the test and {} left out: {}\n", prediction.lost.size(),
                         counted(prediction.models + prediction.lost.size(), "model"),
                         prediction.lost.size() == 1 ? "is" : "are", prediction.lost.front().reason);
   if (report.refuted > 0)
-    text += fmt::format(
-        "{} of the run, which {} more than twice as much as the best on the trials so far, {} left out\n",
-        counted(report.refuted, "model"), report.refuted == 1 ? "errs" : "err", report.refuted == 1 ? "is" : "are");
+    text += fmt::format("{} with more than twice the best model's error on the trials so far {} left out\n",
+                        counted(report.refuted, "model"), report.refuted == 1 ? "is" : "are");
   if (!report.unscored.empty())
-    text += fmt::format("models were never held against {} (estimation.sensors)\n", fmt::join(report.unscored, ", "));
+    text += fmt::format("the models were never scored on {} (estimation.sensors)\n", fmt::join(report.unscored, ", "));
   if (report.copies > 0)
-    text += fmt::format("{} of {} {} of another and {} not count; several estimation.restarts find others\n",
+    text += fmt::format("{} of {} {} of another and {} not count; for more variety, use several estimation.restarts\n",
                         report.copies, counted(report.copies + prediction.models + prediction.lost.size(), "model"),
                         report.copies == 1 ? "is a copy" : "are copies", report.copies == 1 ? "does" : "do");
   if (prediction.models == 1)
     text +=
-        "a single model has nothing to agree with: its band has no spread; estimation.ensemble = 8 keeps more of a "
-        "run\n";
+        "a single model has no spread, so the band contains only noise; to keep more models of a run: "
+        "estimation.ensemble = 8\n";
   for (std::size_t c = 0; c < report.noise.size(); ++c)
     if (!std::isfinite(report.noise[c]))
-      text += fmt::format("no trial measured {}: its band has no noise of a reading\n", prediction.channels[c].name);
+      text += fmt::format("no trial measured {}, so its band contains no sensor noise\n", prediction.channels[c].name);
   for (std::size_t c = 0; c < report.support.channels.size(); ++c)
     if (report.support.enough() && std::isinf(report.support.channels[c].factor))
-      text += fmt::format("{} read what no model says where its band has no width, which no factor mends\n",
-                          prediction.channels[c].name);
+      text +=
+          fmt::format("{}: readings differ from all models where the band has no width, so no factor can correct it\n",
+                      prediction.channels[c].name);
   return text;
 }
 

@@ -61,7 +61,7 @@ std::vector<std::string> head(const std::vector<std::string>& groups) {
 }  // namespace
 
 std::string passes_text(const std::vector<PassRow>& passes, const std::vector<TargetTrialRow>& trials) {
-  if (passes.empty()) return "no pass has ended\n";
+  if (passes.empty()) return "no finished pass\n";
   const std::vector<std::string> groups = group_names(passes);
   std::vector<std::vector<std::string>> table = {head(groups)};
   for (const PassRow& pass : passes) {
@@ -77,7 +77,7 @@ std::string passes_text(const std::vector<PassRow>& passes, const std::vector<Ta
 }
 
 std::string runs_text(const std::vector<EeaRunListing>& runs) {
-  if (runs.empty()) return "no run yet; lacuna run FILE makes one\n";
+  if (runs.empty()) return "no run yet; make one: lacuna run FILE\n";
   std::vector<std::vector<std::string>> table = {
       {"run", "experiment", "replicate", "ended", "passes", "error", "models", "evaluations"}};
   for (const EeaRunListing& run : runs)

@@ -216,7 +216,7 @@ class Diagnosis(Answer, Table):
     probability : float or None
         That the verdict is right. None: none is stated.
     calibrated : bool
-        Whether the probability was calibrated on simulated rigs.
+        Whether the probability was calibrated on simulated experiments.
     evidence : mapping of str to float
         Figures that say how sure the verdict is.
     noise_floor : mapping of str to float

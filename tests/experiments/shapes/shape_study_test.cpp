@@ -178,7 +178,7 @@ TEST(ShapeStudy, MeansThatDifferFarHaveALogarithmicAxis) {
   const double low = panel.series[1].y[0], high = panel.series[1].y2[0];
   EXPECT_GT(low, 0.0);
   EXPECT_NEAR(low * high, 16e-12, 1e-20) << "as many times below the mean as above it";
-  EXPECT_THAT(figure.title, HasSubstr("of their logarithms"));
+  EXPECT_THAT(figure.title, HasSubstr("of the logarithms"));
   ASSERT_TRUE(panel.y_range.has_value());
   EXPECT_LT((*panel.y_range)[0], low);
   EXPECT_GT((*panel.y_range)[1], panel.series[3].y2[0]);
@@ -211,11 +211,11 @@ TEST(ShapeStudy, ProgressHasALineWhereAPassBegins) {
     EXPECT_EQ(panel.series[0].x, (std::vector{2.5}));
     EXPECT_EQ((std::array{panel.series[0].y[0], panel.series[0].y2[0]}), panel.y_range);
   }
-  EXPECT_EQ(figure.panels[0].series[0].label, "a pass begins");
+  EXPECT_EQ(figure.panels[0].series[0].label, "start of a pass");
   EXPECT_EQ(figure.panels[1].series[0].label, "") << "one legend for all";
   const TestFolder folder;
   write_svg(figure, folder / "progress.svg");
-  EXPECT_THAT(read_bytes(folder / "progress.svg"), HasSubstr("a pass begins"));
+  EXPECT_THAT(read_bytes(folder / "progress.svg"), HasSubstr("start of a pass"));
 }
 
 TEST(ShapeStudy, DistancesHaveAUnitThatSuitsThem) {

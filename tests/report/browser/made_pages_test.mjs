@@ -103,7 +103,7 @@ describe('compare', () => {
     await page.waitForFunction(
       () => document.querySelector('.trial-curves .figure-title')?.textContent === 'chirp.csv',
     );
-    assert.match(await page.textContent('aside.side'), /None of its samples are in chirp\.csv/);
+    assert.match(await page.textContent('aside.side'), /chirp\.csv has none of its samples/);
     await page.locator('.finding').nth(1).click();
     await page.waitForFunction(() => document.querySelector('.trial-curves .figure-title')?.textContent === 'sine.csv');
   });
@@ -335,7 +335,7 @@ describe('the overview', () => {
       },
       '',
     );
-    assert.match(await page.textContent('.next'), /Revision 2 was not compared.*lacuna compare first-steps\.toml/);
+    assert.match(await page.textContent('.next'), /Revision 2 has not been compared.*lacuna compare first-steps\.toml/);
     await made(
       'compared-once',
       'rig.db',

@@ -195,7 +195,7 @@ function pagesOf(way, open) {
 
     it('diagnose says the verdict, ranks, maps the force and tests features', async () => {
       await go(page, rig, '#/diagnose');
-      assert.match(await page.textContent('.lead'), /lacks something that no effect of the library explains/);
+      assert.match(await page.textContent('.lead'), /Something is missing that no effect of the library explains/);
       await page.waitForSelector('.chart .whisker.thick', { state: 'attached' }); // a chart is drawn when it has its size
       assert.ok((await page.locator('.chart .whisker.thick').count()) >= 3);
       assert.ok((await page.locator('rect title').count()) > 10, 'a map of the force');
@@ -233,8 +233,8 @@ function pagesOf(way, open) {
         'Objective error: mass',
         'Transfer',
         'Spread',
-        'Trials foretold',
-        'Parameters towards the truth: delay',
+        'Error on new trials',
+        'Parameters and hidden values: delay',
         'Models that pass 2 handed on',
       ])
         await page.waitForSelector(`.figure-title:has-text("${title}")`);
@@ -246,7 +246,7 @@ function pagesOf(way, open) {
       await page.keyboard.press('/');
       await page.keyboard.type('no such run');
       await page.waitForFunction(() => document.querySelector('main').textContent.includes('0 of 2 runs'));
-      assert.match(await page.textContent('main'), /No run has these words/);
+      assert.match(await page.textContent('main'), /No run matches these words/);
       await shot(page, `runs-${way}`);
     });
 
@@ -273,7 +273,7 @@ function pagesOf(way, open) {
 
     it('pictures of parameters have whole names, and files that say what is in them', async () => {
       await go(page, walk, '#/run?run=2');
-      const figure = page.locator('.figure', { hasText: 'Parameters towards the truth: mass' }).last();
+      const figure = page.locator('.figure', { hasText: 'Parameters and hidden values: mass' }).last();
       await figure.locator('svg').waitFor();
       assert.ok((await figure.locator('svg').textContent()).includes('front_right_lower'));
       const csvOf = async (of) => {
@@ -344,7 +344,7 @@ function pagesOf(way, open) {
       await page.waitForFunction(() => document.title.startsWith('Runs'));
       await go(page, rig, '#/replay');
       await page.waitForSelector('.stage canvas');
-      assert.match(await page.textContent('main'), /as its joints were measured/);
+      assert.match(await page.textContent('main'), /the measured motion/);
     });
 
     it('a picture of zoomed curves has all of them as they are, with a heading', async () => {
@@ -432,7 +432,7 @@ function pagesOf(way, open) {
         await page.locator('button[type=submit]').click();
       };
       for (const [bad, says] of [
-        ['SELECT * FROM nowhere', /no such table: nowhere; “What can be asked”/],
+        ['SELECT * FROM nowhere', /no such table: nowhere; see “Views”/],
         ['DELETE FROM run', /only reading is allowed here/],
         ['selekt 1', /syntax error/],
         ["ATTACH 'x' AS y", /only reading is allowed here/],
@@ -803,7 +803,7 @@ describe('on other robots and machines', () => {
     const page = await newPage(browser);
     await go(page, url('cart.html'), '#/replay');
     await page.waitForSelector('.stage canvas');
-    assert.match(await page.textContent('main'), /over the target/);
+    assert.match(await page.textContent('main'), /and the target/);
     const start = await picture(page, '.stage canvas');
     await page.locator('input[type=range]').fill('2');
     await page.waitForFunction((before) => document.querySelector('.stage canvas').toDataURL() !== before, start);
@@ -979,7 +979,7 @@ describe('the server', () => {
 
   it('elsewhere warns', async () => {
     const server = await started('rig.db', '--host', '0.0.0.0');
-    assert.match(server.messages(), /warning: whoever can reach/);
+    assert.match(server.messages(), /warning: anybody who can reach/);
     assert.equal((await fetch(new URL(server.address).origin)).status, 403);
     const page = await newPage(browser);
     await go(page, server.address, '#/history');

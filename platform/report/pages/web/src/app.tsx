@@ -69,12 +69,12 @@ function Frame({ source, trouble }: { source: Source; trouble: string | null }) 
           ))}
         </nav>
         {source.live && (
-          <span class={`live ${trouble ? 'broken' : ''}`} title={trouble ?? 'The pages follow the database'}>
+          <span class={`live ${trouble ? 'broken' : ''}`} title={trouble ?? 'The page updates when the database changes'}>
             {trouble ? 'not connected' : 'live'}
           </span>
         )}
         <Finder />
-        <button class="quiet" onClick={changeTheme} title="Light, dark, or as the system says">
+        <button class="quiet" onClick={changeTheme} title="Colours: light, dark, or like the system">
           {theme}
         </button>
       </header>

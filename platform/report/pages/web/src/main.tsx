@@ -13,5 +13,5 @@ const say = (text: string) => {
 openSource().then(
   (source) => render(<App source={source} />, page),
   (error: Error) =>
-    say(`The data of this report cannot be opened: ${error.message}. It needs a browser of 2023 or later.`),
+    say(`Cannot open the data of this report: ${error.message}. Use a browser of 2023 or later.`),
 );

@@ -30,7 +30,7 @@ export class ServerSource implements Source {
           stamp = now;
         }
       } catch {
-        trouble('lacuna serve does not answer; this page goes on when it does');
+        trouble('lacuna serve does not answer; the page continues when it does');
       }
       setTimeout(look, kPoll);
     };

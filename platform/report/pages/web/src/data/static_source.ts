@@ -64,11 +64,11 @@ export class StaticSource implements Source {
         worker.terminate();
         reject(new Error(message));
       };
-      worker.onerror = (event) => fail(event.message || 'the browser allows no worker');
+      worker.onerror = (event) => fail(event.message || 'the browser does not allow web workers');
       worker.onmessage = ({ data }: MessageEvent<Answer>) => {
         if (data.kind === 'failed') return fail(data.message);
         worker.onmessage = (event: MessageEvent<Answer>) => this.take(event.data);
-        worker.onerror = (event) => this.startAgain(event.message || 'the query could not be carried out');
+        worker.onerror = (event) => this.startAgain(event.message || 'the query failed');
         this.worker = worker;
         resolve();
       };

@@ -39,7 +39,7 @@ export function ComparePage({ choices }: Props) {
       {(all) =>
         all.length === 0 ? (
           <Empty>
-            The database has no comparison. <code>lacuna compare FILE</code> makes one.
+            The database has no comparison. Make one: <code>lacuna compare FILE</code>
           </Empty>
         ) : (
           <Chosen all={all} choices={choices} />
@@ -146,11 +146,11 @@ const worstOf = (scores: Score[]) =>
   scores.reduce<Score | null>((a, b) => ((b.times_floor ?? 0) > (a?.times_floor ?? 0) ? b : a), null);
 
 function Summary({ worst }: { worst: Score | null }) {
-  if (!worst) return <p class="lead">No noise floor is known, so errors stand without a measure.</p>;
+  if (!worst) return <p class="lead">The noise floor is not known, so the errors have no reference.</p>;
   const atFloor = (worst.times_floor ?? 0) <= 1.2;
   return (
     <p class="lead">
-      {atFloor ? 'The model is at the noise floor in every trial: ' : 'The model is farthest off in '}
+      {atFloor ? 'The model is at the noise floor in every trial: ' : 'The largest error is in '}
       <strong>
         {atFloor ? (
           `at most ${times(worst.times_floor)}`
@@ -179,7 +179,7 @@ function NoFinding({ analysed }: { analysed: boolean }) {
         'The error on the fit trials shows no significant dependence on input or state.'
       ) : (
         <>
-          Not analysed for this revision. <code>lacuna compare FILE</code> fits the model and analyses the fit trials.
+          Not analysed for this revision. To fit the model and analyse the fit trials: <code>lacuna compare FILE</code>
         </>
       )}
     </Empty>
@@ -209,7 +209,7 @@ function Trial({ scores, trial, place, where, findings, regimes, chosen, choose:
   const [error, setError] = useState<string | null>(null);
   const keep = () => {
     const canvases = [...document.querySelectorAll<HTMLCanvasElement>('.trial-curves canvas')];
-    if (canvases.length === 0) setError('there is nothing to keep');
+    if (canvases.length === 0) setError('there is no picture to save');
     else savePng(canvases, `${experiment}, revision ${revision}: ${trial}`);
   };
   return (
@@ -238,7 +238,7 @@ function Trial({ scores, trial, place, where, findings, regimes, chosen, choose:
           {known.error && <p class="error">{known.error}</p>}
         </section>
         <aside class="side">
-          <h2>Where it fails</h2>
+          <h2>Where the error is large</h2>
           {where.error && <p class="error">{where.error}</p>}
           {where.value && findings.length === 0 && <NoFinding analysed={where.value.where !== null} />}
           <ol class="findings">
@@ -256,9 +256,9 @@ function Trial({ scores, trial, place, where, findings, regimes, chosen, choose:
           </ol>
           {chosen?.stretches && lit.length === 0 && (
             <p class="note">
-              None of its samples are in {trial}.{' '}
+              {trial} has none of its samples.{' '}
               <button class="link" onClick={() => choose({ trial: null, channel: null, t: null })}>
-                Show the trial that has most of them.
+                Show the trial with most of them.
               </button>
             </p>
           )}

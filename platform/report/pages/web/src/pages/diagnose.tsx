@@ -38,7 +38,7 @@ export function DiagnosePage({ choices }: { choices: Record<string, string> }) {
       {(all) =>
         all.length === 0 ? (
           <Empty>
-            The database has no finished diagnosis. <code>lacuna diagnose FILE</code> makes one.
+            The database has no finished diagnosis. Make one: <code>lacuna diagnose FILE</code>
           </Empty>
         ) : (
           <Chosen all={all} choices={choices} />
@@ -79,7 +79,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
         {document.probability !== null && (
           <span class="muted">
             probability {probabilityText(document.probability)} (
-            {document.calibrated ? 'calibrated on rigs with known answers' : 'uncalibrated'})
+            {document.calibrated ? 'calibrated on simulated experiments' : 'uncalibrated'})
           </span>
         )}
       </p>
@@ -121,14 +121,14 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
 /** What the gains are, below their picture. */
 function gainNote(document: DiagnosisDocument): string {
   if (byHorizon(document) && document.verdict === 'not_in_library' && document.formulas.length > 0)
-    return 'First: the formula below. Change of the error, in the geometric mean over the lengths that decide, beside that of the model alone, where it was not fitted, with 95 % intervals.';
+    return 'First: the formula below. Change of the cross-validated error against the model alone (geometric mean over the deciding lengths), with 95 % intervals.';
   if (byHorizon(document))
-    return 'Change of the error, in the geometric mean over all horizons, beside that of the model alone, where it was not fitted, with 95 % intervals.';
+    return 'Change of the cross-validated error against the model alone (geometric mean over all horizons), with 95 % intervals.';
   const first =
     document.verdict === 'not_in_library' && !firstIsAnswer(document) && !document.formulas_of_rest
       ? 'First: the formula below. '
       : '';
-  return `${first}Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`;
+  return `${first}Increase of the log likelihood over the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: in 95 % of cases noise alone gives the best of ${document.hypotheses} effects a smaller gain (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`;
 }
 
 function Ranking({ document }: { document: DiagnosisDocument }) {
@@ -136,7 +136,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
   return (
     <div class="two">
       <Forest
-        title="How much better each predicts what was left out"
+        title="Gain of each candidate on held-out data"
         label={measureOf(document)}
         linear={byHorizon(document)}
         chance={byHorizon(document) ? null : document.chance_95}
@@ -144,9 +144,9 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
         note={gainNote(document)}
       />
       <Figure
-        title={outdone ? 'Candidates of the library, none of which is the answer' : 'Candidates'}
+        title={outdone ? 'Candidates of the library (none is the answer)' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on what was ${byHorizon(document) ? 'fitted' : 'left out'}, in multiples of the noise floor; the model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or not told by these data.`}
+        note={`Error on ${byHorizon(document) ? 'fitted' : 'held-out'} data, in multiples of the noise floor. Model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -225,7 +225,7 @@ interface CandidateProps {
 }
 
 function parameterText(name: string, one: Parameter): string {
-  const noInterval = one.at_bound ? 'at a bound of its range' : 'not told';
+  const noInterval = one.at_bound ? 'at a bound of its range' : 'not determined';
   const value = `${name} ${valueText(one.value, one.ci95[0], one.ci95[1], one.unit, noInterval)}`;
   return one.stated === undefined ? value : `${value} instead of ${quantity(one.stated, one.unit)}`;
 }
@@ -259,7 +259,7 @@ function Candidate({ rank, model, inPercent, length }: CandidateProps) {
           : gainText({ value: model.gain, standard_error: model.gain_standard_error })}
       </td>
       <td class="number">
-        {(model.segment_s ?? null) === length ? times(timesFloor(model)) : `over ${quantity(model.segment_s, 's')}`}
+        {(model.segment_s ?? null) === length ? times(timesFloor(model)) : `${quantity(model.segment_s, 's')} segments`}
       </td>
     </tr>
   );
@@ -277,15 +277,15 @@ function Force({ document }: { document: DiagnosisDocument }) {
         <Figure
           note={
             <>
-              In SI units of the state. As an effect of your own:{' '}
+              In SI units. To make an effect from it:{' '}
               <code>lacuna plugins new effect NAME --formula "{document.formulas[0].text}"</code>
             </>
           }
           downloads={[{ label: 'CSV', run: () => saveFormulas(document) }]}
           title={
             document.formulas_of_rest || document.verdict === 'effect_found'
-              ? 'A formula for what the answer leaves'
-              : 'A formula for what is missing'
+              ? 'Formula for the residual force'
+              : 'Formula for the missing force'
           }
         >
           <div class="scrolls">
@@ -383,7 +383,7 @@ function Rest({ document, row }: { document: DiagnosisDocument; row: DiagnosisRo
         )}
         {document.next_test !== '' && (
           <>
-            <h2>A test that would settle it</h2>
+            <h2>Recommended next test</h2>
             <p>
               <code class="block">
                 lacuna trial FILE --test "{document.next_test}"
@@ -396,7 +396,7 @@ function Rest({ document, row }: { document: DiagnosisDocument; row: DiagnosisRo
       </section>
       {document.not_testable.length > 0 && (
         <section>
-          <h2>Effects that were not tested</h2>
+          <h2>Effects that could not be tested</h2>
           <ul class="muted">
             {document.not_testable.map((one) => (
               <li key={one.effect + one.where}>

@@ -162,8 +162,8 @@ function foundSentence(best: Ranked): string {
   const values = best.effects.filter((one) => one.effect === 'wrong_value').map((one) => one.where);
   const effects = best.effects.filter((one) => one.effect !== 'wrong_value').map(effectName);
   const sentences = [];
-  if (effects.length > 0) sentences.push(`The model lacks ${effects.join(' + ')}.`);
-  if (values.length > 0) sentences.push(`The robot file has a wrong value of ${values.join(' and of ')}.`);
+  if (effects.length > 0) sentences.push(`The model is missing ${effects.join(' + ')}.`);
+  if (values.length > 0) sentences.push(`The robot file has a wrong value: ${values.join(', ')}.`);
   return sentences.join(' ');
 }
 
@@ -172,13 +172,13 @@ export function verdictSentence(document: DiagnosisDocument): string {
   const best = document.ranking[0];
   switch (document.verdict) {
     case 'nothing_missing':
-      return 'Nothing is missing: no effect of the library predicts what was left out better than the model alone.';
+      return 'Nothing is missing: no effect of the library predicts held-out data better than the model alone.';
     case 'effect_found':
-      return best ? foundSentence(best) : 'The model lacks an effect.';
+      return best ? foundSentence(best) : 'An effect is missing.';
     case 'not_in_library':
-      return `The model lacks something that no effect of the library explains${document.formulas[0] ? `; a force like ${document.formulas[0].text} would` : ''}.`;
+      return `Something is missing that no effect of the library explains${document.formulas[0] ? `; the force ${document.formulas[0].text} explains it` : ''}.`;
     default:
-      return 'These data do not tell whether something is missing.';
+      return 'These data cannot show whether something is missing.';
   }
 }
 

@@ -43,7 +43,7 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
             y: bins.map((one) => one.mean),
           },
           {
-            name: '99 % band of no dependence',
+            name: '99 % band without dependence',
             kind: 'band',
             colour: 'floor',
             x: bins.map((one) => one.feature),
@@ -54,7 +54,7 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
         ]}
       />
       <Figure
-        title="What it depends on"
+        title="Dependence of the residual"
         downloads={[
           {
             label: 'CSV',
@@ -68,11 +68,11 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
                   one.test.p,
                   one.test.depends,
                 ]),
-                'what it depends on',
+                'dependence of the residual',
               ),
           },
         ]}
-        note="Share of the squared residual that each feature explains alone. A click shows it."
+        note="Share of the squared residual that each feature explains alone. Click a row to see the curve."
       >
         <div class="scrolls">
           <table class="grid">

@@ -8,9 +8,9 @@ export function Horizons({ errors }: { errors: HorizonError[] }) {
   const heldOut = errors.some((one) => one.base_held_out !== null);
   return (
     <Figure
-      title="Error of predictions over several horizons"
+      title="Prediction error by horizon"
       downloads={[{ label: 'CSV', run: () => saveErrors(errors) }]}
-      note="RMS, from starts that the readings tell: of the model as it is → with the answer. Floor: what noise, starts and integration leave a right model."
+      note="RMS error before → after adding the answer; each prediction starts from a measured state. Floor: error of a right model from noise, initial states and integration."
     >
       <div class="scrolls">
         <table class="grid">

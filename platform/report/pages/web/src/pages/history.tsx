@@ -53,7 +53,7 @@ export function HistoryPage({ choices }: { choices: Record<string, string> }) {
       {(all) =>
         all.length === 0 ? (
           <Empty>
-            The database has no revision of a model. <code>lacuna compare FILE</code> makes the first.
+            The database has no revision of a model. Make the first: <code>lacuna compare FILE</code>
           </Empty>
         ) : (
           <Show of={errors}>{(rows) => <Chosen revisions={all} rows={rows} choices={choices} />}</Show>
@@ -104,7 +104,7 @@ function Chosen({ revisions, rows, choices }: { revisions: Revision[]; rows: Row
 }
 
 function Lead({ errors }: { errors: Row[] }) {
-  if (errors.length === 0) return <p class="lead">No revision was compared yet.</p>;
+  if (errors.length === 0) return <p class="lead">No revision has been compared yet.</p>;
   const first = errors[0],
     last = [...errors].reverse().find((one) => one.channel === first.channel) ?? first;
   if (first === last)
@@ -211,7 +211,7 @@ function Table({
     <Figure
       title="Revisions"
       downloads={[{ label: 'CSV', run: () => saveRevisions(revisions, errors) }]}
-      note="What each has that its parent had not; the number leads to its curves. Choose two, a and b, to see them side by side."
+      note="Changes from the parent. Click a number to see its curves. Choose two revisions, a and b, to compare them."
     >
       <div class="scrolls">
         <table class="grid">
@@ -247,7 +247,7 @@ function Table({
                   />
                 </td>
                 <th scope="row">
-                  <a href={linkTo('compare', { experiment, revision: one.number })} title="Its curves">
+                  <a href={linkTo('compare', { experiment, revision: one.number })} title="Show its curves">
                     {one.number}
                   </a>
                 </th>
@@ -277,7 +277,7 @@ function Table({
 
 const interval = (one: Fitted | undefined) => {
   if (!one) return '—';
-  const otherwise = one.at_bound ? `at its ${one.at_bound} bound` : one.identifiable ? '' : 'not told by the data';
+  const otherwise = one.at_bound ? `at its ${one.at_bound} bound` : one.identifiable ? '' : 'not determined';
   return otherwise
     ? valueText(one.value, null, null, one.unit, otherwise)
     : valueText(one.value, one.lower, one.upper, one.unit);

@@ -17,12 +17,12 @@ export interface PageEntry {
 
 /** In the order of their keys, 1 to 8; the first is where a reader begins. */
 export const pages: PageEntry[] = [
-  { name: 'overview', title: 'Overview', sentence: 'How experiments stand, and what to do next', Page: OverviewPage },
-  { name: 'compare', title: 'Compare', sentence: 'Measured and predicted, and where they part', Page: ComparePage },
-  { name: 'diagnose', title: 'Diagnose', sentence: 'What the model lacks', Page: DiagnosePage },
+  { name: 'overview', title: 'Overview', sentence: 'State of each experiment and the next step', Page: OverviewPage },
+  { name: 'compare', title: 'Compare', sentence: 'Measured and predicted curves, and where they differ', Page: ComparePage },
+  { name: 'diagnose', title: 'Diagnose', sentence: 'The missing effect', Page: DiagnosePage },
   { name: 'history', title: 'History', sentence: 'Error by revision', Page: HistoryPage },
   { name: 'run', title: 'Run', sentence: 'One run of the algorithm', Page: RunPage },
-  { name: 'runs', title: 'Runs', sentence: 'All runs and their replicates', Page: RunsPage },
+  { name: 'runs', title: 'Runs', sentence: 'All runs and replicates', Page: RunsPage },
   { name: 'replay', title: 'Replay', sentence: 'Robots in motion', Page: ReplayPage },
   { name: 'sql', title: 'SQL', sentence: 'Any query', Page: SqlPage },
 ];

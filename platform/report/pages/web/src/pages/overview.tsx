@@ -21,8 +21,8 @@ export function OverviewPage() {
         <>
           {experiments.length === 0 && (
             <Empty>
-              The database has no experiment yet. <code>lacuna compare FILE</code> fits a model and shows how far it is
-              off; <code>lacuna run FILE</code> starts the algorithm.
+              The database has no experiment yet. <code>lacuna compare FILE</code> fits a model and shows its error;{' '}
+              <code>lacuna run FILE</code> starts the algorithm.
             </Empty>
           )}
           {experiments.slice(0, kMostExperiments).map((one) => (
@@ -176,8 +176,8 @@ function Runs({ of: { name, runs } }: { of: Overview }) {
 /** The pages that have something of an experiment. */
 function Links({ of: { name, errors, revisions, diagnosis, runs } }: { of: Overview }) {
   const links: [string, string][] = [];
-  if (errors.length > 0) links.push(['Compare: where it fails', linkTo('compare', { experiment: name })]);
-  if (diagnosis) links.push(['Diagnose: what it lacks', linkTo('diagnose', { diagnosis: diagnosis.id })]);
+  if (errors.length > 0) links.push(['Compare: where the error is large', linkTo('compare', { experiment: name })]);
+  if (diagnosis) links.push(['Diagnose: the missing effect', linkTo('diagnose', { diagnosis: diagnosis.id })]);
   if (revisions.length > 0) links.push(['History: values by revision', linkTo('history', { experiment: name })]);
   if (runs.length > 0) links.push(['Run: pass by pass', linkTo('run', { run: newestRun(runs).run })]);
   if (runs.length > 0) links.push(['Runs: all replicates', linkTo('runs', { experiment: name })]);

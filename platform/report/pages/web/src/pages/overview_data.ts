@@ -80,7 +80,7 @@ export function heldOutAbove(errors: ErrorRow[]): ErrorRow | null {
 }
 
 const heldOutStep = (one: ErrorRow, file: string): Step => ({
-  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor: its start may be uncertain, its motion may show what the fit files do not, or its recording differs. The last line of compare says which can be.`,
+  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor. Possible causes: an uncertain initial state, a motion that excites an effect which the fit files do not excite, or a different recording. The last line of compare names the possible ones.`,
   command: `lacuna compare ${file}`,
 });
 
@@ -88,7 +88,7 @@ function stepAfterDiagnosis(document: DiagnosisDocument, errors: ErrorRow[], fil
   const answer = document.ranking[0]?.effects ?? [];
   if (document.stopped)
     return {
-      sentence: 'The time limit stopped the search. The same command goes on with it.',
+      sentence: 'The time limit stopped the search. To continue, repeat the command.',
       command: `lacuna diagnose ${file}`,
     };
   const heldOut = heldOutAbove(errors);
@@ -106,17 +106,17 @@ function stepAfterDiagnosis(document: DiagnosisDocument, errors: ErrorRow[], fil
     };
   if (document.verdict === 'not_in_library' && document.formulas.length > 0)
     return {
-      sentence: 'Make an effect of the formula that was found.',
+      sentence: 'Make an effect from the formula that was found.',
       command: `lacuna plugins new effect NAME --formula ${shellWord(document.formulas[0].text)}`,
     };
   if (document.next_test !== '') {
     const setup = document.next_test_setup ? ` --setup ${shellWord(document.next_test_setup.name || 'none')}` : '';
     return {
-      sentence: 'Another test would tell more.',
+      sentence: 'Record this test next: it separates the candidates.',
       command: `lacuna trial ${file} --test ${shellWord(document.next_test)}${setup} --csv=next.csv`,
     };
   }
-  return { sentence: document.findings[0] ?? 'The page Compare shows where the model fails.' };
+  return { sentence: document.findings[0] ?? 'The page Compare shows where the error is large.' };
 }
 
 /** The channel that is farthest above its floor; null where a floor is not known. */
@@ -131,16 +131,16 @@ function stepOfModel({ revisions, errors, diagnosis, file }: Overview): Step {
   const own = errors.filter((one) => one.revision === newest);
   if (diagnosis?.revision === newest) return stepAfterDiagnosis(diagnosis.document, own, word);
   if (own.length === 0)
-    return { sentence: `Revision ${newest} was not compared with the trials yet.`, command: `lacuna compare ${word}` };
+    return { sentence: `Revision ${newest} has not been compared with the trials yet.`, command: `lacuna compare ${word}` };
   const worst = farthest(own);
   if (worst === null)
     return {
       sentence:
-        'The noise floor is not known, so nothing tells whether an effect is missing: declare the noise of the sensors.',
+        'The noise floor is not known, so a missing effect cannot be seen. Declare the noise of the sensors.',
     };
   if (worst.times_floor! <= kAtTheFloor)
     return {
-      sentence: `The model is at the noise floor (${times(worst.times_floor)}): no error is left that an effect could explain.`,
+      sentence: `The error is ${times(worst.times_floor)} the noise floor: as small as the noise allows.`,
     };
   return {
     sentence: `The error of ${worst.channel} is ${times(worst.times_floor)} the noise floor: something is missing.`,
@@ -153,11 +153,11 @@ function stepOfRuns({ runs, file }: Overview): Step {
   const open = runs.find((one) => one.ending !== 'done');
   if (open)
     return {
-      sentence: `Run ${open.run} has ${open.passes_done} of ${open.passes} passes. If no process is at work on it, this goes on with it.`,
+      sentence: `Run ${open.run} has ${open.passes_done} of ${open.passes} passes. If no process is running it, continue it:`,
       command: `lacuna run ${word} --resume`,
     };
   return {
-    sentence: 'Ask the models of the newest run what a test would show.',
+    sentence: 'Predict a test with the models of the newest run.',
     command: `lacuna predict ${word} --test TEST`,
   };
 }
@@ -167,7 +167,7 @@ export function nextStep(overview: Overview): Step {
   if (overview.revisions.length > 0) return stepOfModel(overview);
   if (overview.runs.length > 0) return stepOfRuns(overview);
   return {
-    sentence: 'No result of it is stored yet.',
+    sentence: 'No result is stored yet.',
     command: `lacuna compare ${shellWord(overview.file)}`,
   };
 }

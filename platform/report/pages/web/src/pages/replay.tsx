@@ -143,14 +143,14 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
         )}
         <button
           class="quiet download"
-          title="Put this moment into the address"
+          title="Put this time into the page's address"
           onClick={() => choose({ t: moment.time.toFixed(3) })}
         >
           link
         </button>
       </div>
       <p class="note">
-        {play.note} {play.actors.some((one) => one.touching) && 'Bodies that touch the ground glow. '}
+        {play.note} {play.actors.some((one) => one.touching) && 'Bodies that touch the ground are highlighted. '}
         <span class="keys">
           <Key>space</Key> plays, <Key>←</Key> <Key>→</Key> step, <Key>,</Key> <Key>.</Key> change the speed; drag turns
           the camera.
@@ -217,7 +217,7 @@ function StageView({ play, moment, stage }: { play: Play; moment: Moment; stage:
     try {
       made = new Stage(box.current!, play.actors);
     } catch {
-      setError('This browser shows nothing in three dimensions (no WebGL); the curves below are all there.');
+      setError('This browser has no WebGL, so it cannot show the robot. The curves below are complete.');
       return;
     }
     stage.current = made;

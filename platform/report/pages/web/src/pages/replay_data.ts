@@ -84,13 +84,13 @@ export async function whyNothing(source: Source): Promise<string> {
   const sentences: string[] = [];
   if (passes && !source.live)
     sentences.push(
-      'No robot of a run was simulated for this report: it was made with --no-robots, or a note above says why.',
+      'This report has no robot motion of runs: it was made with --no-robots, or a note above says why.',
     );
-  else if (runs) sentences.push('No pass of a run has found a model yet.');
+  else if (runs) sentences.push('No run has a finished pass yet.');
   if (comparisons)
     sentences.push(`The time series of comparisons are not in this ${source.live ? 'database' : 'report'}.`);
-  if (!source.live && (passes || comparisons)) sentences.push('lacuna serve shows all that the database has.');
-  return sentences.join(' ') || 'There is no trial to replay: lacuna run and lacuna compare make some.';
+  if (!source.live && (passes || comparisons)) sentences.push('To see everything in the database: lacuna serve.');
+  return sentences.join(' ') || 'There is no trial to replay. Make some with lacuna run or lacuna compare.';
 }
 
 /** Whether a body touches the ground: as it was simulated, else as its touch sensor reads it. */
@@ -120,7 +120,7 @@ interface ReplayRow {
 
 async function playRun(source: Source, piece: Piece): Promise<Play> {
   const key = await source.prepareReplay(piece.run!, piece.trial!);
-  if (key === null) throw new Error('the robots of this trial are not in this report');
+  if (key === null) throw new Error('this report does not contain the robots of this trial');
   const [replay] = objects<ReplayRow>(
     await source.query('SELECT robot, pass, model, target_robot FROM page_replay WHERE id = ?', [key]),
   );
@@ -150,7 +150,7 @@ async function playRun(source: Source, piece: Piece): Promise<Play> {
         : []),
     ],
     curves: curvesOf(traces)!,
-    note: `Model ${replay.model}, the best of pass ${replay.pass}, ${target ? 'over the target (translucent), both simulated again' : 'simulated again'}.`,
+    note: `Model ${replay.model}, the best of pass ${replay.pass}${target ? ', and the target (translucent)' : ''}, simulated again.`,
   };
 }
 
@@ -164,7 +164,7 @@ async function playComparison(source: Source, piece: Piece): Promise<Play> {
   const traces = await tracesOf(source, piece.comparison!, piece.trialName!);
   const measured = traces.get('measured'),
     predicted = traces.get('predicted');
-  if (!measured || !predicted) throw new Error('the samples of this trial are not here');
+  if (!measured || !predicted) throw new Error('the samples of this trial are not stored here');
   traces.delete('commands');
   const curves = curvesOf(traces)!;
   const robot = JSON.parse(row.robot_text) as Robot;
@@ -173,7 +173,7 @@ async function playComparison(source: Source, piece: Piece): Promise<Play> {
     return {
       actors: [],
       curves,
-      note: 'Not every joint has a position sensor, so the readings do not tell where the robot is; the curves do.',
+      note: 'Not every joint has a position sensor, so the measured pose is not known. See the curves instead.',
     };
   const seen = motionFromReadings(robot, measured);
   return {
@@ -183,8 +183,8 @@ async function playComparison(source: Source, piece: Piece): Promise<Play> {
     ],
     curves,
     note: seen
-      ? 'The model as predicted over the robot as its joints were measured (translucent).'
-      : 'The model as predicted.',
+      ? 'Predicted motion, and the measured motion (translucent).'
+      : 'Predicted motion.',
   };
 }
 

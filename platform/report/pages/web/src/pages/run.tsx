@@ -18,7 +18,7 @@ export function RunPage({ choices }: { choices: Record<string, string> }) {
       {(all) =>
         all.length === 0 ? (
           <Empty>
-            The database has no run of the algorithm. <code>lacuna run FILE</code> makes one.
+            The database has no run of the algorithm. Make one: <code>lacuna run FILE</code>
           </Empty>
         ) : (
           <Chosen all={all} choices={choices} />
@@ -105,7 +105,7 @@ function ErrorByPass({ run }: { run: Run }) {
           title="Error of the best model"
           x={passAxis}
           y={{ label: run.metric.replace(/_/g, ' '), unit, log: true }}
-          note={`Over all trials so far, so that a new trial may raise it.${channels ? ` Measured: ${channels}.` : ''}`}
+          note={`Over all trials so far; a new trial can increase it.${channels ? ` Measured: ${channels}.` : ''}`}
           series={[
             {
               name: 'best model',
@@ -154,8 +154,8 @@ function Objective({ run }: { run: Run }) {
                   key={group}
                   title={`Objective error: ${name}`}
                   x={passAxis}
-                  y={{ label: 'distance from the truth', unit, include: [0] }}
-                  note={several ? 'Mean over the values of that kind; band: the smallest and the largest.' : undefined}
+                  y={{ label: 'error from the hidden value', unit, include: [0] }}
+                  note={several ? 'Mean over the values of this kind; band: smallest to largest.' : undefined}
                   series={[
                     ...(several
                       ? [
@@ -206,7 +206,7 @@ function Transfer({ run }: { run: Run }) {
             title="Transfer: predicted and measured"
             x={{ label: 'target trial', unit: '1', whole: true }}
             y={{ label: all[0].fitness.replace(/_/g, ' '), unit: all[0].unit ?? '1', include: [0] }}
-            note="What the models that chose a test said it would do, and what the target did."
+            note="Result that the models predicted when they chose the test, and the target's result."
             series={[
               {
                 name: 'predicted',

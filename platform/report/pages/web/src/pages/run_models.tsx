@@ -33,10 +33,10 @@ export function Foretold({ run }: { run: Run }) {
         const aside = all.filter((one) => one.passes_set_aside > 0);
         return (
           <Chart
-            title="Trials foretold"
+            title="Error on new trials"
             x={{ label: 'target trial', unit: '1', whole: true }}
             y={{ label: run.metric.replace(/_/g, ' '), unit, log: true }}
-            note="Error of the best model so far on a trial that was new to it, and on the trials before."
+            note="Error of the best model so far, on a new trial and on the earlier trials."
             series={[
               {
                 name: 'new trial',
@@ -46,7 +46,7 @@ export function Foretold({ run }: { run: Run }) {
                 y: all.map((one) => one.surprise ?? NaN),
               },
               {
-                name: 'trials before',
+                name: 'earlier trials',
                 kind: 'both',
                 colour: 'predicted',
                 dashed: true,
@@ -56,7 +56,7 @@ export function Foretold({ run }: { run: Run }) {
               ...(aside.length > 0
                 ? [
                     {
-                      name: 'set aside as too hard',
+                      name: 'set aside (too difficult)',
                       kind: 'points' as const,
                       colour: 'other' as const,
                       x: aside.map((one) => one.trial),
@@ -90,7 +90,7 @@ export function Spread({ run }: { run: Run }) {
             title="Spread of the models"
             x={passAxis}
             y={{ label: run.metric.replace(/_/g, ' '), unit, log: true }}
-            note="Of all models of a pass that were scored to the end: the best, the best tenth and the median."
+            note="All completely scored models of a pass: the best, the best 10 % and the median."
             series={[
               {
                 name: 'median',
@@ -100,7 +100,7 @@ export function Spread({ run }: { run: Run }) {
                 y: all.map((one) => one.most),
               },
               {
-                name: 'best tenth',
+                name: 'best 10 %',
                 kind: 'line',
                 colour: 'other',
                 x: all.map((one) => one.pass),
@@ -172,8 +172,8 @@ function EnsembleTable({ pass, values, errorUnit }: { pass: number; values: Ense
   if (table.rows.length < 2) return null;
   return (
     <Figure
-      title={`Models that pass ${pass} handed on`}
-      note="The best of each structure and restart first. What they say of a test: lacuna predict FILE --test ..."
+      title={`Models carried over from pass ${pass}`}
+      note="The best of each structure and restart first. To predict a test with them: lacuna predict FILE --test ..."
       downloads={[{ label: 'CSV', run: () => saveCsv(table.columns, table.rows, `models of pass ${pass}`) }]}
     >
       <DataTable key={errorUnit} table={table} formats={formats} />

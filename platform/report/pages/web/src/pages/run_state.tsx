@@ -26,11 +26,11 @@ function StandingText({ run, standing }: { run: Run; standing: Standing }) {
   if (standing.is === 'quiet')
     return (
       <>
-        <strong>no progress seen for {duration(standing.seconds)}</strong>: running slowly or broken off;{' '}
-        <code>lacuna run FILE --resume</code> goes on.
+        <strong>no progress seen for {duration(standing.seconds)}</strong>: slow or stopped. To continue:{' '}
+        <code>lacuna run FILE --resume</code>
       </>
     );
-  const words = { running: 'running', waiting: 'waits for its turn', 'not known yet': 'not ended' };
+  const words = { running: 'running', waiting: 'waiting', 'not known yet': 'not ended' };
   return <strong>{words[standing.is]}</strong>;
 }
 
@@ -42,7 +42,7 @@ function speedOf(run: Run, standing: Standing, live: boolean, rate: number | nul
   const left = run.passes_done === 0 ? 'known after pass 1' : duration(secondsLeft(run));
   return [
     ['evaluations per second', rate === null ? '…' : count(rate)],
-    ['left, about', standing.is === 'running' ? left : '…'],
+    ['time left, about', standing.is === 'running' ? left : '…'],
   ];
 }
 

@@ -43,7 +43,7 @@ export function Best({ run, pass }: { run: Run; pass: string | undefined }) {
   return (
     <Show of={rows}>
       {(all) => {
-        if (all.length === 0) return <Empty>No pass has ended yet.</Empty>;
+        if (all.length === 0) return <Empty>No finished pass yet.</Empty>;
         const passes = [...new Set(all.map((one) => one.pass))].sort((a, b) => a - b);
         const chosen = passes.includes(Number(pass)) ? Number(pass) : passes[passes.length - 1];
         const values = all.filter((one) => one.pass === chosen);
@@ -112,7 +112,7 @@ function Values({
     <Figure
       title={`Values of the best model of pass ${pass}`}
       downloads={[{ label: 'CSV', run: keep }]}
-      note={isSpread ? 'Spread: where 80 % of the models of the last generation lie.' : undefined}
+      note={isSpread ? 'Spread: range of 80 % of the models of the last generation.' : undefined}
     >
       <div class="scrolls">
         <table class="grid">

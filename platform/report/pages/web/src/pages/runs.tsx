@@ -50,7 +50,7 @@ function Runs({ table, filter }: { table: Table; filter: string }) {
         <input
           type="search"
           class="search"
-          placeholder="filter: words of any column ( / )"
+          placeholder="filter: words in any column ( / )"
           aria-label="Filter runs"
           value={filter}
           onInput={(event) => refine({ filter: event.currentTarget.value, experiment: null })}
@@ -61,7 +61,7 @@ function Runs({ table, filter }: { table: Table; filter: string }) {
       </div>
       <Figure
         title="Runs"
-        note="A click or Enter opens a run."
+        note="Click a run, or press Enter, to open it."
         downloads={[{ label: 'CSV', run: () => saveCsv(table.columns, shown, 'runs') }]}
       >
         <DataTable
@@ -104,13 +104,13 @@ function Replicates({ runs, experiments }: { runs: number[]; experiments: string
      FROM parameter_error_by_pass GROUP BY run, pass, 4, unit ORDER BY experiment, run, pass LIMIT ${kMostRows}`,
   );
   const wanted = new Set(runs);
-  if (runs.length === 0) return <Empty>No run has these words.</Empty>;
+  if (runs.length === 0) return <Empty>No run matches these words.</Empty>;
   return (
     <div class="two">
       <Show of={rows}>
         {(all) => {
           const own = all.filter((one) => wanted.has(one.run));
-          if (own.length === 0) return <Empty>No pass of these runs has ended.</Empty>;
+          if (own.length === 0) return <Empty>These runs have no finished pass.</Empty>;
           return (
             <>
               {[...new Set(own.map((one) => one.metric))].map((metric) => (

@@ -35,7 +35,7 @@ const kRowsOnPaper = 12; // more scroll
 
 /** Of a table that there is not, the program would advise a command; here the list stands beside. */
 const withAdvice = (message: string) =>
-  message.replace(/(no such table: \S+?)(; `lacuna sql .*)?$/, '$1; “What can be asked” has those that there are');
+  message.replace(/(no such table: \S+?)(; `lacuna sql .*)?$/, '$1; see “Views” for the existing ones');
 
 interface Has {
   revisions: number;
@@ -152,8 +152,8 @@ function Answered({
   asked: string;
   choices: Record<string, string>;
 }) {
-  if (asked.trim() === '') return <Empty>Type a query, or choose one of those that are listed.</Empty>;
-  if (answer === null) return <p class="empty loading">asking …</p>;
+  if (asked.trim() === '') return <Empty>Type a query, or choose a view.</Empty>;
+  if (answer === null) return <p class="empty loading">running …</p>;
   if (answer.error !== undefined)
     return (
       <p class="error" role="alert">
@@ -178,7 +178,7 @@ function Result({ table, ms, choices, sql }: ResultProps) {
     try {
       const all = table.cut ? await source.ask(sql, kMostSavedRows) : table;
       saveCsv(all.columns, all.rows, 'query');
-      setNote(all.cut ? `The file has the first ${count(all.rows.length)} rows; there are more.` : '');
+      setNote(all.cut ? `The file has only the first ${count(all.rows.length)} rows.` : '');
     } catch (error) {
       setNote(error instanceof Error ? error.message : String(error));
     }
@@ -190,14 +190,14 @@ function Result({ table, ms, choices, sql }: ResultProps) {
         title={`${table.cut ? `first ${rows}` : rows} · ${Math.round(ms)} ms`}
         downloads={[{ label: 'CSV', run: keep }]}
         note={[
-          table.cut ? `Only the first ${rows} are shown; LIMIT and WHERE choose others. CSV has all.` : '',
+          table.cut ? `Only the first ${rows} are shown; select others with LIMIT and WHERE. CSV has all.` : '',
           note,
         ].join(' ')}
       >
-        {table.rows.length === 0 ? <Empty>No row.</Empty> : <DataTable table={table} />}
+        {table.rows.length === 0 ? <Empty>No rows.</Empty> : <DataTable table={table} />}
       </Figure>
       {table.rows.length > kRowsOnPaper && (
-        <p class="note on-paper">Paper has the rows that the screen had; the CSV file has all.</p>
+        <p class="note on-paper">The print has the rows of the screen; the CSV file has all.</p>
       )}
       {table.rows.length > 1 && <Plot table={table} choices={choices} />}
     </>
@@ -254,7 +254,7 @@ function Views({ run }: { run: (sql: string) => void }) {
   const [filter, setFilter] = useState('');
   return (
     <>
-      <h2>What can be asked</h2>
+      <h2>Views</h2>
       <input
         type="search"
         class="search"

@@ -44,7 +44,7 @@ export function ErrorTable({ scores, setups, trial, choose, linkOf }: Props) {
   return (
     <Figure
       title="Error by trial and channel"
-      note="RMSE of a free run, and in multiples of the noise floor; darker is farther above it. The largest error and when it was stand below."
+      note="RMSE of a free run, and in multiples of the noise floor. Darker: farther above the floor. Below: the largest error and its time."
       downloads={[{ label: 'CSV', run: keep }]}
     >
       <div class="scrolls">

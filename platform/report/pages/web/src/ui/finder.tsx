@@ -98,7 +98,7 @@ export function Finder() {
               </a>
             </li>
           ))}
-          {found.length === 0 && <li class="muted">nothing of that name</li>}
+          {found.length === 0 && <li class="muted">no page with this name</li>}
         </ul>
       )}
     </form>

@@ -79,8 +79,8 @@ function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
       y={{ label: 'force', unit: first.force_unit, include: [0] }}
       note={
         first.by_answer
-          ? 'Missing force of the model (free form, with twice its standard error), and the force of the answer. Where they differ, the law has another form.'
-          : 'A force of free form that explains the residual best, with twice its standard error.'
+          ? 'Residual force of the model (nonparametric, ± 2 standard errors), and the force of the answer. Where they differ, the law has another form.'
+          : 'Nonparametric residual force that fits best, ± 2 standard errors.'
       }
       series={curves.flatMap((one, i) => [
         {
@@ -124,7 +124,7 @@ function Heat({ title, curves }: { title: string; curves: ForceCurve[] }) {
         { label: 'SVG', run: () => saveSvg(picture.current!, title) },
         { label: 'CSV', run: () => keep(curves, title) },
       ]}
-      note={`Orange pushes in the positive direction, blue in the negative; ${quantity(most, rows[0].force_unit)} is full colour. Numbers in ${prefix.symbol}${unitText(rows[0].force_unit)}.`}
+      note={`Orange: positive force; blue: negative force. Full colour: ${quantity(most, rows[0].force_unit)}. Numbers in ${prefix.symbol}${unitText(rows[0].force_unit)}.`}
     >
       <div class="chart" ref={box}>
         {width > 0 && (

@@ -72,7 +72,7 @@ export function ParameterChart(props: Props) {
       y: truth.map((one) => one.truth ?? NaN),
     },
     {
-      name: 'median and 80 % of the last generation',
+      name: 'median and 80 % range of the last generation',
       kind: 'points',
       colour: 'other',
       x: addresses.map((one) => place(one) + 0.4),
@@ -83,11 +83,11 @@ export function ParameterChart(props: Props) {
   ];
   return (
     <Chart
-      title={`${truth.length > 0 ? 'Parameters towards the truth' : 'Parameters by pass'}: ${kind}`}
+      title={`${truth.length > 0 ? 'Parameters and hidden values' : 'Parameters by pass'}: ${kind}`}
       height={280}
       x={{ label: '', unit: '1', whole: true, names: shortNames(addresses) }}
       y={{ label: kind, unit: rows[0].unit, include: rows.flatMap((one) => [one.lower, one.upper]) }}
-      note="Small: the best models of earlier passes, in their order from left to right."
+      note="Small marks: best models of earlier passes, from left to right."
       series={series}
       csv={csvOf(props)}
     />

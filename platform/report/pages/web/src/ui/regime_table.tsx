@@ -25,7 +25,7 @@ export function RegimeTable({ regimes, chosen, choose }: Props) {
     <Figure
       title="Error by regime"
       downloads={[{ label: 'CSV', run: keep }]}
-      note="On the fit trials. A click shows the trial that has most of a regime and lights up its samples."
+      note="On the fit trials. Click a regime to show the trial with most of its samples, highlighted."
     >
       <div class="scrolls">
         <table class="grid regimes">
