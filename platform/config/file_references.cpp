@@ -10,21 +10,19 @@ namespace lacuna {
 namespace {
 
 constexpr const char* kNumbers =
-    "A number is in the SI unit that its row names, or a text with a unit of the same dimension: `0.12`, `\"120 mm\"`, "
+    "Write a number in the SI unit of its row, or a text with any unit of the same dimension: `0.12`, `\"120 mm\"`, "
     "`\"3 deg\"`,\n`\"35.15065 N/V\"`. Units are written with `*`, `/` and `^`; `m`, `kg`, `s`, `A`, `N`, `V`, `W`, "
     "`J`, "
     "`Pa`, `Hz`, `Ohm`, `rad`, `deg`, `rev`,\n`rpm`, `min`, `h`, `%`, `in`, `ft`, `lb`, `oz`, `lbf`, `ozf`, `kip`, "
-    "`kgf`, `psi` and SI prefixes are known. \"N*m or N\" means "
-    "that the "
-    "joint's kind decides.\n";
+    "`kgf`, `psi` and SI prefixes are known. \"N*m or N\": N*m on a hinge, N on a slider.\n";
 
 const ReferenceHead& experiment_head() {
   static const ReferenceHead kHead{
       "Experiment files",
-      "An experiment file is TOML. `lacuna check FILE` reports every problem in it at once, each with its line; an "
+      "An experiment file is TOML. `lacuna check FILE` reports all problems at once, each with its line; an "
       "unknown "
-      "key is one.\n`--set key=value` puts a value beside the file: `--set engine.step=0.0005`, "
-      "`--set 'model.effects[0].start.torque=1'`.\nPaths are relative to the file that they stand in; "
+      "key is one.\n`--set key=value` overrides a value of the file: `--set engine.step=0.0005`, "
+      "`--set 'model.effects[0].start.torque=1'`.\nPaths are relative to the file that contains them; "
       "`${NAME}` in a path stands for an environment variable.\nEditors can use "
       "[experiment.schema.json](experiment.schema.json).\n\n" +
           std::string(kNumbers),
@@ -59,7 +57,7 @@ std::string file_reference(const std::string& name) {
   if (name == "experiment.schema.json") return json_schema(experiment_keys().value().shape, "Lacuna experiment file");
   if (name == "robot.md") return markdown_reference(robot_keys().value().shape, robot_head());
   if (name == "robot.schema.json") return json_schema(robot_keys().value().shape, "Lacuna robot file");
-  throw Error("there is no reference " + name);
+  throw Error("there is no reference called " + name);
 }
 
 }  // namespace lacuna

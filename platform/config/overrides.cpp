@@ -31,7 +31,7 @@ class PathReader {
       } else if (text_[at_] == '[') {
         steps.push_back(index());
       } else {
-        throw Error("a path is keys joined by dots, as in engine.step");
+        throw Error("write the path as keys joined by dots, as in engine.step");
       }
       if (steps.size() > kDeepest) throw Error("the path is too long");
     }
@@ -63,7 +63,7 @@ class PathReader {
     const auto [end, error] = std::from_chars(text_.data() + at_ + 1, text_.data() + text_.size(), *step.index);
     at_ = static_cast<std::size_t>(end - text_.data());
     if (error != std::errc() || at_ >= text_.size() || text_[at_] != ']')
-      throw Error("an index is a number in brackets, as in model.effects[0]");
+      throw Error("write an index as a number in brackets, as in model.effects[0]");
     ++at_;
     return step;
   }

@@ -61,8 +61,8 @@ TEST(FreeEditor, SaysWhatCannotBe) {
     }
     return std::string();
   };
-  EXPECT_THAT(insertion("[engine]\n"), HasSubstr("there is no [model]"));
-  EXPECT_THAT(insertion("[model]\nfree = 3\n"), HasSubstr("model.free is no table"));
+  EXPECT_THAT(insertion("[engine]\n"), HasSubstr("there is no section [model]"));
+  EXPECT_THAT(insertion("[model]\nfree = 3\n"), HasSubstr("model.free is not a table"));
   EXPECT_THAT(insertion("[model.free]\n\"joint.hinge.armature\" = [0, 1]\n"),
               HasSubstr("has joint.hinge.armature already"));
   EXPECT_THAT(insertion("[model]\nfree.\"a.b\" = [0, 1]\n[engine]\nx = 1\n"),

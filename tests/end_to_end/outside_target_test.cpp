@@ -116,8 +116,8 @@ TEST_F(OutsideRig, HasItsSettingsChecked) {
   const Outcome bad = program_.run({"check", "rig.toml", "--set", "target.folder=\"nowhere\"", "--set",
                                     "target.robot=\"quadruped\"", "--set", "target.start_limit=0"});
   EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_THAT(bad.errors, AllOf(HasSubstr("\"nowhere\" is no folder"), HasSubstr("is a key of kind = \"simulated\""),
-                                HasSubstr("start_limit")));
+  EXPECT_THAT(bad.errors, AllOf(HasSubstr("\"nowhere\" is not a folder"),
+                                HasSubstr("is only used with kind = \"simulated\""), HasSubstr("start_limit")));
   const Outcome missing = program_.run({"check", "rig.toml", "--set", "target.command=[\"no-such-program\"]"});
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_THAT(missing.errors, HasSubstr("no-such-program cannot be started: No such file"));

@@ -33,7 +33,7 @@ TEST(GuardedCall, AnErrorKeepsItsSentenceBehindTheComponent) {
 TEST(GuardedCall, AStandardExceptionIsNamedWithItsType) {
   EXPECT_THAT(
       [] { guarded_call(kOrigin, "amend", [] { throw std::out_of_range("index 7"); }); },
-      ThrowsMessage<Error>(StrEq("effect \"drag\" (/opt/drag.so): amend threw std::out_of_range (index 7); that "
+      ThrowsMessage<Error>(StrEq("effect \"drag\" (/opt/drag.so): amend threw std::out_of_range (index 7); this "
                                  "is a fault of the plugin: repair it or leave this component out")));
 }
 

@@ -104,7 +104,7 @@ TEST_F(NewCommand, DraftsAVoltageOnAMotor) {
   EXPECT_THAT(text_of(rig()), HasSubstr("motor = { column = \"motor voltage [V]\", unit = \"V\" }"));
   EXPECT_THAT(text_of(robot()), HasSubstr("kind = \"voltage\""));
   EXPECT_THAT(text_of(robot()), HasSubstr("torque_constant = \"FILL IN N*m/A\""));
-  EXPECT_THAT(run({"check", rig().string()}).err, HasSubstr("resistance: is still blank: write a resistance in Ohm"));
+  EXPECT_THAT(run({"check", rig().string()}).err, HasSubstr("resistance: is not filled in: write a resistance in Ohm"));
   EXPECT_EQ(expect_a_draft_that_works().trials[0].commands.series.channels[0].unit, "V");
 }
 
@@ -135,11 +135,11 @@ TEST_F(NewCommand, LeavesBlanksOfWhichCheckSaysWhatIsWantedWithUnitAndExample) {
   const Outcome check = run({"check", rig().string()});
   EXPECT_EQ(check.code, 2);
   for (const char* sentence :
-       {"target.sensors.joint1_angle.unit: is still blank: write the unit of the column, as in \"deg\", \"mm\"",
-        "target.commands.joint1_motor.gain: is still blank: write the torque a current makes in N*m/A, as in \"0.05",
-        "body.joint1_link.mass: is still blank: write a mass in kg, as in \"0.5 kg\"",
-        "body.joint1_link.inertia[0]: is still blank: write a moment of inertia in kg*m^2, as in \"0.002 kg*m^2\"",
-        "joint.joint2.parent: is still blank: write one of: world or joint1_link"})
+       {"target.sensors.joint1_angle.unit: is not filled in: write the unit of the column, as in \"deg\", \"mm\"",
+        "target.commands.joint1_motor.gain: is not filled in: write a torque per current in N*m/A, as in \"0.05",
+        "body.joint1_link.mass: is not filled in: write a mass in kg, as in \"0.5 kg\"",
+        "body.joint1_link.inertia[0]: is not filled in: write a moment of inertia in kg*m^2, as in \"0.002 kg*m^2\"",
+        "joint.joint2.parent: is not filled in: write one of: world or joint1_link"})
     EXPECT_THAT(check.err, HasSubstr(sentence));
 }
 

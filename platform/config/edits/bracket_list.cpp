@@ -31,12 +31,12 @@ std::size_t skip_value(std::string_view text, std::size_t at) {
 }  // namespace
 
 BracketList::BracketList(std::string_view text, std::size_t at) : text_(text) {
-  if (at >= text.size() || text[at] != '[') throw Error("no list stands here");
+  if (at >= text.size() || text[at] != '[') throw Error("there is no list here");
   inside_.begin = at + 1;
   at = skip_space_and_comments(text, at + 1);
   while (at < text.size() && text[at] != ']') {
     Item item{{at, skip_value(text, at)}, std::nullopt};
-    if (item.span.end == at) throw Error("a list's item is empty");
+    if (item.span.end == at) throw Error("an item of the list is empty");
     at = skip_space_and_comments(text, item.span.end);
     if (at < text.size() && text[at] == ',') {
       item.comma = at;
@@ -44,7 +44,7 @@ BracketList::BracketList(std::string_view text, std::size_t at) : text_(text) {
     }
     items_.push_back(item);
   }
-  if (at >= text.size()) throw Error("a list has no end");
+  if (at >= text.size()) throw Error("the list has no closing bracket");
   inside_.end = at;
 }
 

@@ -60,7 +60,7 @@ TomlNode without_effect(TomlNode tree, std::size_t index) {
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 [[noreturn]] void give_up(const std::string& what) {
-  throw Error("the list model.effects stands in a layout that cannot be edited; " + what + " by hand");
+  throw Error("the layout of the list model.effects cannot be edited; " + what + " by hand");
 }
 
 std::string with_effect(const std::string& text, const TomlNode& tree, const EffectEntry& effect) {
@@ -87,9 +87,9 @@ std::string effect_as_toml(const EffectEntry& effect) {
 std::string insert_effect(const std::string& text, const EffectEntry& effect) {
   const TomlNode tree = parse_toml(text, "");
   if (const TomlNode* model = tree.find("model"); !model || model->kind != TomlNode::Kind::table)
-    throw Error("there is no [model] to put an effect into");
+    throw Error("there is no section [model] for the effect");
   const TomlNode* effects = find_effects(tree);
-  if (effects && effects->kind != TomlNode::Kind::list) throw Error("model.effects is no list");
+  if (effects && effects->kind != TomlNode::Kind::list) throw Error("model.effects is not a list");
   const std::vector<std::string> ids = effects ? ids_of(*effects) : std::vector<std::string>();
   if (std::find(ids.begin(), ids.end(), effect.id) != ids.end())
     throw Error("the model has an effect with the id " + toml_text(effect.id) + " already; choose another id");

@@ -45,7 +45,7 @@ TomlNode without_value(TomlNode tree, const std::string& address) {
 }
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Error("the table model.free stands in a layout that cannot be edited; " + what + " by hand");
+  throw Error("the layout of the table model.free cannot be edited; " + what + " by hand");
 }
 
 std::string with_first(const std::string& text, const TomlNode& model, const std::string& line) {
@@ -97,9 +97,9 @@ Span span_of_lines(std::string_view text, const TomlNode& free, std::size_t inde
 std::string insert_free_value(const std::string& text, const FreeRange& value) {
   const TomlNode tree = parse_toml(text, "");
   if (const TomlNode* model = tree.find("model"); !model || model->kind != TomlNode::Kind::table)
-    throw Error("there is no [model] to free a value of");
+    throw Error("there is no section [model] for the free value");
   const TomlNode* free = find_free(tree);
-  if (free && free->kind != TomlNode::Kind::table) throw Error("model.free is no table");
+  if (free && free->kind != TomlNode::Kind::table) throw Error("model.free is not a table");
   if (free && free->find(value.pattern)) throw Error("model.free has " + value.pattern + " already");
   const std::string by_hand = "put " + line_of(value) + " into it";
   try {

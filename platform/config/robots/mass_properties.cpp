@@ -90,13 +90,13 @@ std::string inertia_objection(const InertiaSpec& inertia) {
   const std::string listed = fmt::format("{:.4g}, {:.4g}, {:.4g} kg*m^2", moments[0], moments[1], moments[2]);
   if (!(moments[0] > 0.0)) {
     const bool is_zero = moments[0] >= -kRounding * moments[2];
-    return "no body has this inertia: its principal moments " + listed + " are not all above 0" +
+    return "this inertia is not possible: its principal moments " + listed + " are not all above 0" +
            (is_zero ? "; for a point mass or a thin rod write moments that are too small to matter, such as "
                       "\"1e-6 kg*m^2\", instead of 0"
                     : "");
   }
   if (moments[2] > (moments[0] + moments[1]) * (1.0 + kRounding))
-    return "no body has this inertia: of its principal moments " + listed + " one is larger than the sum of the others";
+    return "this inertia is not possible: one of its principal moments " + listed + " exceeds the sum of the others";
   return "";
 }
 

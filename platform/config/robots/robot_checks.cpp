@@ -40,9 +40,9 @@ class RobotChecker {
   }
 
   void check_name(const std::string& kind, const std::string& name) {
-    if (!is_element_name(name)) problem(kind, toml_text(name) + " cannot be a name; use letters, digits, _ and -");
+    if (!is_element_name(name)) problem(kind, toml_text(name) + " is not a valid name; use letters, digits, _ and -");
     if (kind == "body" && name == kWorld)
-      problem("body.world", "\"world\" is what surrounds the robot; choose another name");
+      problem("body.world", "\"world\" is the robot's surroundings; choose another name");
   }
 
   void expect_name(const std::string& key, const std::string& what, const std::string& name,
@@ -59,9 +59,9 @@ class RobotChecker {
     check_name("joint", spec.name);
     if (spec.parent != kWorld) expect_name(path + ".parent", "body", spec.parent, bodies_);
     expect_name(path + ".child", "body", spec.child, bodies_);
-    if (!(spec.lower < spec.upper)) problem(path + ".lower", "the lower stop must lie below the upper one");
+    if (!(spec.lower < spec.upper)) problem(path + ".lower", "the lower stop must be below the upper one");
     if (spec.kind == JointKind::free && spec.parent != kWorld)
-      problem(path + ".parent", "a free joint holds nothing: its body floats in the world; leave parent out");
+      problem(path + ".parent", "a free joint has no parent, because its body floats in the world; leave parent out");
     const bool universal = spec.kind == JointKind::universal;
     if (joint.axis2 && !universal) problem(path + ".axis2", "only a universal joint has a second axis");
     if (!joint.axis2 && universal) problem(path + ".axis2", "is missing: a universal joint has two axes");
@@ -77,13 +77,13 @@ class RobotChecker {
       if (!is_sound("joint", joint.spec.name)) continue;
       const auto [entry, is_new] = joint_of.emplace(joint.spec.child, &joint.spec);
       if (!is_new)
-        problem("joint." + joint.spec.name + ".child", toml_text(joint.spec.child) + " already hangs on joint." +
+        problem("joint." + joint.spec.name + ".child", toml_text(joint.spec.child) + " is already the child of joint." +
                                                            entry->second->name +
-                                                           "; a body is the child of one joint at most");
+                                                           "; a body can be the child of only one joint");
     }
     for (const auto& [child, joint] : joint_of)
       if (is_in_loop(*joint, joint_of))
-        problem("joint." + joint->name + ".parent", "the joints form a loop; a robot is a tree of bodies");
+        problem("joint." + joint->name + ".parent", "the joints form a loop; a robot must be a tree of bodies");
   }
 
   bool is_in_loop(const JointSpec& start, const std::map<std::string, const JointSpec*>& joint_of) const {
@@ -106,7 +106,7 @@ class RobotChecker {
       problem(path + ".joint", "an actuator drives a hinge, a slider or the first axis of a universal joint, and " +
                                    actuator.joint + " is none of these");
     if (!(actuator.command_lower < actuator.command_upper))
-      problem(path + ".command_lower", "the lower bound must lie below the upper one");
+      problem(path + ".command_lower", "the lower bound must be below the upper one");
     if (actuator.transmission.ratio == 0.0) problem(path + ".transmission.ratio", "must not be 0");
     check_gains(actuator, path);
   }
@@ -117,13 +117,15 @@ class RobotChecker {
     const bool has_no_gains = actuator.kind == ActuatorKind::force || actuator.kind == ActuatorKind::voltage ||
                               actuator.kind == ActuatorKind::motion;
     if (by_position && actuator.kp == 0.0 && actuator.ki == 0.0)
-      problem(path + ".kp", "is missing: without it a servo of this kind does nothing");
+      problem(path + ".kp", "is missing: without it a servo of this kind exerts no force");
     if (actuator.kind == ActuatorKind::velocity_servo && actuator.kd == 0.0)
-      problem(path + ".kd", "is missing: without it a velocity servo does nothing");
-    if (!by_position && actuator.kp != 0.0) problem(path + ".kp", "means nothing for an actuator of this kind");
+      problem(path + ".kd", "is missing: without it a velocity servo exerts no force");
+    if (!by_position && actuator.kp != 0.0)
+      problem(path + ".kp", "is not used by an actuator of this kind; leave it out");
     if (actuator.kind != ActuatorKind::pid && actuator.ki != 0.0)
-      problem(path + ".ki", "means nothing for an actuator of this kind; a pid has it");
-    if (has_no_gains && actuator.kd != 0.0) problem(path + ".kd", "means nothing for an actuator of this kind");
+      problem(path + ".ki", "is not used by an actuator of this kind, only by a pid; leave it out");
+    if (has_no_gains && actuator.kd != 0.0)
+      problem(path + ".kd", "is not used by an actuator of this kind; leave it out");
     check_motor(actuator, path);
   }
 
@@ -132,8 +134,8 @@ class RobotChecker {
     if (!is_servo && actuator.kind != ActuatorKind::voltage) {
       if (locations_.count(path + ".motor") > 0)
         problem(path + ".motor",
-                "means nothing for an actuator of this kind; write kind = \"voltage_servo\", whose "
-                "command is a position, or \"voltage\"");
+                "is not used by an actuator of this kind; write kind = \"voltage_servo\" (its command is a position) "
+                "or \"voltage\"");
       return;
     }
     if (actuator.motor.torque_constant == 0.0)
@@ -141,9 +143,9 @@ class RobotChecker {
     if (locations_.count(path + ".motor.resistance") == 0)
       problem(path + ".motor.resistance", "is missing: the resistance of the winding and its driver");
     if (!is_servo && actuator.motor.sample_time > 0.0)
-      problem(path + ".motor.sample_time", "means nothing for a motor without a servo; write kind = \"voltage_servo\"");
+      problem(path + ".motor.sample_time", "is not used by a motor without a servo; write kind = \"voltage_servo\"");
     if (is_servo && !std::isfinite(actuator.motor.supply))
-      problem(path + ".motor.supply", "is missing: the voltage of the supply, of which the servo puts out a share");
+      problem(path + ".motor.supply", "is missing: the supply voltage of the servo");
   }
 
   void check_coupling(const CouplingSpec& coupling) {
@@ -155,7 +157,8 @@ class RobotChecker {
       if (joint && joint->kind != JointKind::hinge && joint->kind != JointKind::slider)
         problem(path + key, *name + " is neither a hinge nor a slider");
     }
-    if (coupling.joint == coupling.follows) problem(path + ".follows", "a joint cannot follow itself");
+    if (coupling.joint == coupling.follows)
+      problem(path + ".follows", "a joint cannot follow itself; name another joint");
     for (const CouplingSpec& other : file_.couplings) {
       if (&other != &coupling && other.joint == coupling.joint)
         problem(path + ".joint", coupling.joint + " follows another joint already, in coupling." + other.name);
@@ -176,22 +179,22 @@ class RobotChecker {
     const std::string& other = of_joint ? sensor.body : sensor.joint;
     if (!other.empty())
       problem(path + "." + (of_joint ? "body" : "joint"),
-              "a sensor of this kind reads a " + wanted + "; write " + wanted);
+              "a sensor of this kind is on a " + wanted + "; write " + wanted);
     if (name.empty())
-      problem(path + "." + wanted, "is missing: the " + wanted + " that it reads");
+      problem(path + "." + wanted, "is missing: the " + wanted + " of this sensor");
     else
       expect_name(path + "." + wanted, wanted, name, of_joint ? joints_ : bodies_);
     const JointSpec* joint = of_joint ? find_joint(name) : nullptr;
     if (joint && joint->kind == JointKind::fixed)
-      problem(path + ".joint", name + " is a fixed joint, which has nothing to read");
+      problem(path + ".joint", name + " is a fixed joint, which has no motion to measure");
     if (joint && joint->kind == JointKind::free)
       problem(path + ".joint", name +
                                    " is a free joint; sensors of its body read how it moves (body_position, "
                                    "body_orientation, body_velocity, body_angular_velocity)");
     if (sensor.spec.kind != SensorKind::accelerometer && locations_.contains(path + ".at"))
-      problem(path + ".at", "only an accelerometer is at a point of its body");
+      problem(path + ".at", "only an accelerometer has a position on its body");
     if (sensor.spec.kind == SensorKind::beacon_range && !locations_.contains(path + ".beacon"))
-      problem(path + ".beacon", "is missing: the place from which distance is measured, [x, y, z] in m");
+      problem(path + ".beacon", "is missing: the point from which the distance is measured, [x, y, z] in m");
   }
 
   const JointSpec* find_joint(const std::string& name) const {

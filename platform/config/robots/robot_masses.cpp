@@ -32,8 +32,8 @@ class BodyResolver {
   /// Asks for a key that a kind of shape needs, refuses it where it means nothing.
   template <class T>
   void expect(bool needed, const std::optional<T>& value, const std::string& shape, const std::string& key) {
-    if (needed && !value) problem(shape + "." + key, "is missing: this kind of shape has it");
-    if (!needed && value) problem(shape + "." + key, "means nothing for this kind of shape");
+    if (needed && !value) problem(shape + "." + key, "is missing: this kind of shape needs it");
+    if (!needed && value) problem(shape + "." + key, "is not used by this kind of shape; leave it out");
   }
 
   ShapeSpec resolve_shape(std::size_t index) {
@@ -81,8 +81,8 @@ class BodyResolver {
     if (!from_shapes && !body_.inertia)
       return problem("inertia", "is missing: three moments in kg*m^2, or shapes from which it follows");
     if (body_.com && !body_.inertia)
-      return problem("com",
-                     "the inertia that follows from the shapes is about their own centre of mass; give inertia too");
+      return problem(
+          "com", "give inertia too, because the inertia of the shapes is about their centre of mass and not about com");
     if (!shapes_.empty()) take_shapes(spec);
     spec.mass = body_.mass.value_or(spec.mass);
     spec.com = body_.com.value_or(spec.com);
@@ -95,7 +95,7 @@ class BodyResolver {
     spec.com = whole.com;
     spec.inertia = to_spec(whole.inertia);
     const bool usable = std::isnormal(whole.mass) && whole.com.allFinite() && inertia_objection(spec.inertia).empty();
-    if (!usable) problem("shapes", "no usable mass follows from them; check their sizes and densities");
+    if (!usable) problem("shapes", "these shapes give no usable mass; check their sizes and densities");
   }
 
   void check_inertia(const InertiaSpec& inertia) {

@@ -17,10 +17,10 @@ struct Wanted {
 constexpr Wanted kWanted[] = {{"kg", "a mass", "0.5 kg"},
                               {"m", "a length", "-120 mm"},
                               {"kg*m^2", "a moment of inertia", "0.002 kg*m^2"},
-                              {"N*m/A", "the torque a current makes", "0.05 N*m/A"},
-                              {"N*m/V", "the torque a voltage makes", "0.3 N*m/V"},
-                              {"N/A", "the force a current makes", "20 N/A"},
-                              {"N/V", "the force a voltage makes", "35 N/V"},
+                              {"N*m/A", "a torque per current", "0.05 N*m/A"},
+                              {"N*m/V", "a torque per voltage", "0.3 N*m/V"},
+                              {"N/A", "a force per current", "20 N/A"},
+                              {"N/V", "a force per voltage", "35 N/V"},
                               {"N*m/rad", "a stiffness", "20 N*m/rad"},
                               {"N*m*s/rad", "a damping", "0.5 N*m*s/rad"},
                               {"N/m", "a stiffness", "2000 N/m"},
@@ -45,7 +45,7 @@ bool is_blank(std::string_view text) { return text.starts_with(kBlank); }
 
 std::string blank_complaint(std::string_view text, const std::string& unit) {
   const std::string written = behind_blank(text);
-  const std::string head = "is still blank: write ";
+  const std::string head = "is not filled in: write ";
   if (written.empty() && unit.empty())
     return head + "the unit of the column, as in \"deg\", \"mm\", \"N*m\" or \"rad/s\"";
   if (const std::string& of = written.empty() ? unit : written; parse_unit(of)) return head + wanted_text(of);

@@ -18,7 +18,7 @@ Value<std::string> unit_name() {
     if (!plain.read(node, reading, result)) return false;
     if (parse_unit(result)) return true;
     reading.problem(node, is_blank(result) ? blank_complaint(result, "")
-                                           : toml_text(result) + " is no unit; known are " + known_units());
+                                           : toml_text(result) + " is not a unit; known units are " + known_units());
     return false;
   };
   return value;
@@ -32,7 +32,7 @@ Value<std::string> time_unit() {
   value.read = [unit = unit_name()](const TomlNode& node, Reading& reading, std::string& result) {
     if (!unit.read(node, reading, result)) return false;
     if (parse_unit(result)->same_dimension(*parse_unit("s"))) return true;
-    reading.problem(node, toml_text(result) + " is no unit of time; write s, ms, us or min");
+    reading.problem(node, toml_text(result) + " is not a unit of time; write s, ms, us or min");
     return false;
   };
   return value;
@@ -55,7 +55,7 @@ Value<Gain> gain() {
     const auto written = reading.written_units().find(reading.path());
     if (node.kind == TomlNode::Kind::text && written != reading.written_units().end()) result.unit = written->second;
     if (result.value != 0.0) return true;
-    reading.problem(node, "a gain of zero leaves nothing of the column");
+    reading.problem(node, "the gain must not be zero");
     return false;
   };
   value.write = [](const Gain& shown) { return toml_number(shown.value); };
@@ -67,7 +67,7 @@ Value<Gain> gain() {
 Value<Encoding> encoding() {
   Value<Encoding> value;
   value.shape.kind = Shape::Kind::text;
-  value.shape.meaning = "\"auto\", \"plain\", or sign_bit, twos_complement or wraps and a number such as 2^15";
+  value.shape.meaning = "\"auto\", \"plain\", or sign_bit, twos_complement or wraps with a number such as 2^15";
   value.read = [plain = text()](const TomlNode& node, Reading& reading, Encoding& result) {
     std::string written;
     if (!plain.read(node, reading, written)) return false;
@@ -75,7 +75,7 @@ Value<Encoding> encoding() {
     if (parsed) result = *parsed;
     if (!parsed)
       reading.problem(node, toml_text(written) +
-                                " is no encoding; write \"plain\", \"sign_bit 2^15\", "
+                                " is not an encoding; write \"plain\", \"sign_bit 2^15\", "
                                 "\"twos_complement 2^16\" or \"wraps 2^16\"");
     return parsed.has_value();
   };
@@ -88,36 +88,37 @@ namespace {
 Table<ColumnMapping> column_keys() {
   return Table<ColumnMapping>()
       .required("column", &ColumnMapping::column, text(), "the column's name in the file's header")
-      .required("unit", &ColumnMapping::unit, unit_name(), "what the column is measured in; \"1\" for a plain number")
+      .required("unit", &ColumnMapping::unit, unit_name(), "unit of the column; \"1\" for a plain number")
       .key<Gain>(
           "gain", gain(), {},
           [](ColumnMapping& mapping, Gain&& read) {
             mapping.gain = read.value;
             mapping.gain_unit = read.unit;
           },
-          "the channel is the column times this, as in \"35.15065 N/V\"")
+          "factor from the column to the channel, as in \"35.15065 N/V\"")
       .key<double>(
           "counts_per_turn", mapped<double, double>(number("1").above(0.0), [](double&& read) { return read; }), {},
           [](ColumnMapping& mapping, double&& read) {
             mapping.gain = kTurn / read;
             mapping.gain_unit = "rad";
           },
-          "instead of gain: the column, with unit = \"1\", is a count of which a turn has so many")
+          "instead of gain: the column (unit = \"1\") counts, with this many counts per turn")
       .check({"gain", "counts_per_turn"},
              [](const TomlNode& node, Reading& reading, ColumnMapping& mapping) {
                const TomlNode* counts = node.find("counts_per_turn");
                if (counts && mapping.unit != "1")
                  reading.problem_at("counts_per_turn", counts->location,
-                                    "the column holds counts then: write unit = \"1\", not \"" + mapping.unit +
-                                        "\", or leave counts_per_turn out");
+                                    "the column contains counts: write unit = \"1\", not \"" + mapping.unit +
+                                        "\", or leave out counts_per_turn");
                if (counts && node.find("gain"))
-                 reading.problem_at("counts_per_turn", counts->location, "gain says the same; keep one of them");
+                 reading.problem_at("counts_per_turn", counts->location,
+                                    "gain and counts_per_turn exclude each other; keep one of them");
              })
       .key("offset", &ColumnMapping::offset, number(""), "added after the gain, in the channel's unit")
-      .key(
-          "encoding", &ColumnMapping::encoding, encoding(),
-          "how the device wrote the numbers: plain; sign_bit 2^15, from there on minus what is beyond; twos_complement "
-          "2^16, in the upper half less that; wraps 360, a count that starts again; auto: as the column shows")
+      .key("encoding", &ColumnMapping::encoding, encoding(),
+           "how the device wrote the numbers. plain: as they are; sign_bit 2^15: from 2^15 on, minus the excess over "
+           "it; twos_complement 2^16: in the upper half, minus 2^16; wraps 360: a count that restarts at 360; auto: "
+           "recognised from the column")
       .key("noise", &ColumnMapping::noise, number("").at_least(0.0),
            "standard deviation of the measurement, in the channel's unit")
       .located(&ColumnMapping::location);
@@ -137,8 +138,8 @@ Table<ColumnMapping> track_keys() {
   return column_keys()
       .key<std::string>(
           "y", text(), {}, [](ColumnMapping& mapping, std::string&& read) { mapping.track.other = std::move(read); },
-          "the column is x of a point that a video was searched for, and this is the column of y, in the same unit: of "
-          "a sensor of an angle they give the angle that the point is seen at from pivot, from x towards y; of a "
+          "the column is x of a point tracked in a video, and this is the column of y, in the same unit: for an angle "
+          "sensor they give the direction of the point from pivot, from x towards y; of a "
           "sensor "
           "of a length its distance from there")
       .key<std::array<double, 2>>(
@@ -147,13 +148,13 @@ Table<ColumnMapping> track_keys() {
           "with y: x and y of the joint")
       .key<double>(
           "zero", number("rad"), 0.0, [](ColumnMapping& mapping, double&& read) { mapping.track.zero = read; },
-          "with y: where the angle is zero, from x towards y; \"-90 deg\": hanging down, with y up")
+          "with y: direction of angle zero, from x towards y; \"-90 deg\": hanging down, with y up")
       .check({"pivot", "zero"}, [](const TomlNode& node, Reading& reading, ColumnMapping& mapping) {
         if (const TomlNode* pivot = node.find("pivot"); pivot && pivot->items.size() != 2)
-          reading.problem_at("pivot", pivot->location, "is x and y of the joint, as in [\"0.1 m\", \"0.42 m\"]");
+          reading.problem_at("pivot", pivot->location, "must be x and y of the joint, as in [\"0.1 m\", \"0.42 m\"]");
         for (const char* key : {"pivot", "zero"})
           if (const TomlNode* one = node.find(key); one && mapping.track.other.empty())
-            reading.problem_at(key, one->location, "needs y, the column that makes a point of this one");
+            reading.problem_at(key, one->location, "needs y, the column of the point's second coordinate");
       });
 }
 
@@ -163,16 +164,16 @@ Table<ColumnMapping> sensor_column_keys() {
       [](ColumnMapping& mapping, std::vector<Kept>&& kept) {
         for (const Kept one : kept) (one == Kept::glitches ? mapping.keeps_glitches : mapping.keeps_repeats) = true;
       },
-      "readings that are compared although they look as if they were never taken");
+      "values that are compared although they look like missing readings");
 }
 
 Table<ColumnMapping> command_column_keys() {
   return column_keys()
       .key("derivative", &ColumnMapping::derivative, boolean(),
-           "the command is the rate of change of the column, by central differences: of a recorded position the "
-           "velocity that is imposed")
+           "the command is the derivative of the column, by central differences: for a recorded position, the imposed "
+           "velocity")
       .key("enabled_by", &ColumnMapping::enabled_by, text(0),
-           "a column that is 0 while the actuator is off: it then exerts nothing");
+           "a column that is 0 while the actuator is off and exerts no force");
 }
 
 Value<std::vector<ColumnMapping>> columns(const std::string& name_hint, const Table<ColumnMapping>& keys) {
@@ -204,25 +205,25 @@ auto set_gain(GainOf value, UnitOf unit) {
 Table<ColumnMapping> reference_keys() {
   return Table<ColumnMapping>()
       .required("column", &ColumnMapping::column, text(), "the column's name in the file's header")
-      .required("unit", &ColumnMapping::unit, unit_name(), "what the column is measured in")
+      .required("unit", &ColumnMapping::unit, unit_name(), "unit of the column")
       .located(&ColumnMapping::location);
 }
 
 Table<ControllerMapping> controller_keys() {
   return Table<ControllerMapping>()
-      .required("reads", &ControllerMapping::sensor, text(), "the sensor (its channel) that is fed back")
+      .required("reads", &ControllerMapping::sensor, text(), "sensor (its channel) that is fed back")
       .required("reference", &ControllerMapping::reference, reference_keys().value(),
-                "the column of what the sensor should read, as in { column = \"wanted\", unit = \"rad\" }")
+                "column with the set point of the sensor, as in { column = \"wanted\", unit = \"rad\" }")
       .key<Gain>("proportional", gain(), {},
                  set_gain(&ControllerMapping::proportional, &ControllerMapping::proportional_unit),
-                 "command per difference of reference and reading, as in \"8 N*m/rad\"")
+                 "proportional gain: command per control error, as in \"8 N*m/rad\"")
       .key<Gain>("derivative", gain(), {},
                  set_gain(&ControllerMapping::derivative, &ControllerMapping::derivative_unit),
-                 "command against the reading's change from sample to sample, as in \"0.2 N*m*s/rad\"")
+                 "derivative gain, on the reading's change from sample to sample, as in \"0.2 N*m*s/rad\"")
       .key<Gain>("integral", gain(), {}, set_gain(&ControllerMapping::integral, &ControllerMapping::integral_unit),
-                 "command per integral of that difference, as in \"2 N*m/(rad*s)\"")
+                 "integral gain: command per integral of the control error, as in \"2 N*m/(rad*s)\"")
       .key("limit", &ControllerMapping::limit, number("").above(0.0).or_infinite(),
-           "the command stays between minus this and this, in its unit")
+           "the command is limited to ± this value, in the unit of the command")
       .key("filter", &ControllerMapping::filter, number("s").at_least(0.0),
            "time constant of a first-order low-pass before the derivative; 0: none")
       .located(&ControllerMapping::location);

@@ -32,7 +32,7 @@ Value<std::string> horizon() {
 
 void check_segments(const TomlNode& node, Reading& reading, FitSection& fit) {
   if (!std::is_sorted(fit.segments.begin(), fit.segments.end()))
-    reading.problem_at("segments", node.find("segments")->location, "shorter ones come first");
+    reading.problem_at("segments", node.find("segments")->location, "the lengths must increase");
 }
 
 /// A value of any key, kept as TOML.
@@ -70,7 +70,7 @@ Table<ContactValues> ground_values() {
   };
   return Table<ContactValues>()
       .key<double>("stiffness", number("N/m").above(0.0).or_infinite(), kUnset, keep("stiffness"),
-                   "of the ground's spring, instead of the robot's own; inf: rigid")
+                   "of the ground's spring, instead of the robot file's; inf: rigid")
       .key<double>("damping", number("N*s/m").at_least(0.0), kUnset, keep("damping"), "of the ground's damper")
       .key<double>("friction", number("1").at_least(0.0).or_infinite(), kUnset, keep("friction"),
                    "Coulomb's coefficient");
@@ -85,7 +85,7 @@ Table<EngineSection> engine_section_keys() {
   return Table<EngineSection>()
       .merged(&EngineSection::settings, engine_keys())
       .key("contact", &EngineSection::contact, ground_values().value(),
-           "Contact with the ground; the same as contact.* under model.set and, of a simulated target, target.set.");
+           "Contact with the ground; the same as contact.* under model.set and, for a simulated target, target.set.");
 }
 
 void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
@@ -96,7 +96,7 @@ void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
   if (!contact || !set) return;
   for (const TomlMember& member : contact->members)
     if (set->find("contact." + member.name))
-      reading.problem_at("engine.contact." + member.name, member.location, "model.set has it too; keep one of them");
+      reading.problem_at("engine.contact." + member.name, member.location, "is also in model.set; keep one of them");
 }
 
 }  // namespace
@@ -104,58 +104,63 @@ void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
 Table<EngineSettings> engine_keys() {
   return Table<EngineSettings>()
       .key("engine", &EngineSettings::engine, text_of({"articulated", "ode"}),
-           "who integrates: articulated (joints and floating bodies without contacts, to second order) or ode "
+           "integrator: articulated (joints and floating bodies without contacts, second order) or ode "
            "(contacts, "
-           "to first order); without it articulated, or ode where bodies may touch the ground")
-      .key("step", &EngineSettings::step, number("s").above(0.0), "sensors, effects and commands are seen once a step")
+           "first order); default: articulated, or ode if bodies may touch the ground")
+      .key("step", &EngineSettings::step, number("s").above(0.0),
+           "sensors, effects and commands are updated once per step")
       .key("substeps", &EngineSettings::substeps, whole_number<int>(0, 100000),
-           "integration steps in a step; 0: as many as needed, found by two solutions and printed; with ode one, for "
-           "its contacts depend on the step")
+           "integration steps per step; 0: as many as needed, found by comparing two solutions, and printed; with ode "
+           "always one, because its contacts depend on the step")
       .key("control_period", &EngineSettings::control_period, number("s").at_least(0.0),
-           "how often a controller acts; 0: every step")
+           "period of a controller; 0: every step")
       .key("joint_erp", &EngineSettings::joint_erp, number("1").between(0.0, 1.0),
-           "share of a joint's error that is corrected in one integration step")
+           "ode: share of a joint's position error that is corrected in one integration step")
       .key("delay_rounding", &EngineSettings::delay_rounding,
            choice<DelayRounding>({{"none", DelayRounding::none}, {"step", DelayRounding::step}}),
-           "delays act as they are (none) or rounded to whole integration steps (step)");
+           "delays act exactly (none) or rounded to whole integration steps (step)");
 }
 
 Table<FitSection> fit_keys() {
   return Table<FitSection>()
-      .key("method", &FitSection::method, text_of({"multiple_shooting", "free_run"}), "how values are fitted")
+      .key("method", &FitSection::method, text_of({"multiple_shooting", "free_run"}), "method of the fit")
       .key("segments", &FitSection::segments, list_of<double>(number("s").above(0.0)),
-           "lengths for multiple shooting, shorter ones first; each stage starts from the one before")
+           "segment lengths for multiple shooting, increasing; each stage starts from the result of the one before")
       .key("horizon", &FitSection::horizon, horizon(),
-           "the last stage: the whole trial, the longest that the start's uncertainty allows, or seconds")
-      .key("starts", &FitSection::starts, whole_number<int>(1, 10000), "starting points; the first is the model's own")
-      .key("loss", &FitSection::loss, text_of({"huber", "squared"}), "how residuals count")
+           "segment length of the last stage: the whole trial, the longest that the initial-state uncertainty allows, "
+           "or seconds")
+      .key("starts", &FitSection::starts, whole_number<int>(1, 10000),
+           "number of starting points; the first is the model's values")
+      .key("loss", &FitSection::loss, text_of({"huber", "squared"}), "loss function of the residuals")
       .key("loss_scale", &FitSection::loss_scale, number("1").above(0.0),
            "residuals beyond this many standard deviations count linearly (huber)")
-      .key("max_iterations", &FitSection::max_iterations, whole_number<int>(1, 100000), "of one stage of one start")
+      .key("max_iterations", &FitSection::max_iterations, whole_number<int>(1, 100000),
+           "limit of iterations in one stage from one starting point")
       .check({"segments"}, check_segments);
 }
 
 Table<NoiseSection> noise_keys() {
   return Table<NoiseSection>()
       .key("process", &NoiseSection::process, map_of("ELEMENT", number("N*m or N").at_least(0.0)),
-           "standard deviation of an unmodelled random force or torque, as in \"joint.hinge\" = 0.004")
+           "standard deviation of a random force or torque that the model does not contain, as in \"joint.hinge\" = "
+           "0.004")
       .key("process_correlation_time", &NoiseSection::process_correlation_time, number("s").at_least(0.0),
-           "how long that force keeps its value; 0: white from step to step");
+           "correlation time of this force; 0: white noise, a new value each step");
 }
 
 Table<Experiment> experiment_keys() {
   const Table<Experiment> head =
       Table<Experiment>()
           .required("name", &Experiment::name, element_name(), "name of the experiment; its database is NAME.db")
-          .key("seed", &Experiment::seed, whole_number<std::uint64_t>(0, kLargest), "of everything random")
+          .key("seed", &Experiment::seed, whole_number<std::uint64_t>(0, kLargest), "seed of all random numbers")
           .key("passes", &Experiment::passes, whole_number<int>(1, 1000000),
-               "how often a run tests the target: one estimation and one exploration phase each")
+               "number of passes of a run: one estimation and one exploration phase each")
           .key("replicates", &Experiment::replicates, whole_number<int>(1, 1000000),
-               "how often the whole run is repeated with other random numbers");
+               "number of replicates: the whole run is repeated with other random numbers");
   return Table<Experiment>()
-      .section("experiment", head, "What this file is called.", true)
+      .section("experiment", head, "Name and seed of the experiment.", true)
       .required("target", &Experiment::target, target_keys().value(), "The system to be identified.")
-      .required("model", &Experiment::model, model_keys().value(), "What is believed of it.")
+      .required("model", &Experiment::model, model_keys().value(), "The model to fit.")
       .key<EngineSection>(
           "engine", engine_section_keys().value(), {},
           [](Experiment& experiment, EngineSection&& read) {
@@ -164,17 +169,17 @@ Table<Experiment> experiment_keys() {
             experiment.target.simulated.system.set.merge(of_target);  // what the target sets itself stays
             experiment.model.set.merge(read.contact);
           },
-          "How the model is integrated.")
-      .key("test", &Experiment::test, test_keys().value(), "What is done to a target that takes tests.")
+          "Integration of the model.")
+      .key("test", &Experiment::test, test_keys().value(), "Tests for a target that takes tests.")
       .key("estimation", &Experiment::estimation, estimation_keys().value(),
            "How `lacuna run` evolves models that explain all trials so far.")
       .key("exploration", &Experiment::exploration, exploration_keys().value(),
            "How `lacuna run` evolves the next test.")
-      .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
-      .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
+      .key("fit", &Experiment::fit, fit_keys().value(), "Fit of the free values.")
+      .key("noise", &Experiment::noise, noise_keys().value(), "Declared random disturbances.")
       .key("sweep", &Experiment::sweep, swept_keys(),
            "Keys of this file that `lacuna plan` varies, in all combinations, as in \"engine.step\" = [0.001, 0.002]; "
-           "other commands take the file without it.")
+           "other commands ignore this section.")
       .check({}, check_contact);
 }
 

@@ -19,11 +19,11 @@ Value<FreeRange> free_range() {
                 range.upper = read.second;
               },
               "lower and upper bound")
-          .key("start", &FreeRange::start, number(""), "where the search begins; else the robot's own value")
+          .key("start", &FreeRange::start, number(""), "start value; default: the value of the robot file")
           .check({"range", "start"},
                  [](const TomlNode& node, Reading& reading, FreeRange& range) {
                    if (!range.start || (*range.start >= range.lower && *range.start <= range.upper)) return;
-                   reading.problem_at("start", node.find("start")->location, "lies outside the range");
+                   reading.problem_at("start", node.find("start")->location, "is outside the range");
                  })
           .value();
   return either(bounds, with_start);
@@ -49,7 +49,7 @@ void check_ids(const TomlNode& node, Reading& reading, ModelSection& model) {
     if (is_new || id.empty()) continue;
     reading.problem_at(
         fmt::format("effects[{}]", i), node.find("effects")->items[i].location,
-        fmt::format("the id {} is taken by effects[{}]; give it an id of its own", toml_text(id), first->second));
+        fmt::format("effects[{1}] has the id {0} already; choose another id", toml_text(id), first->second));
   }
 }
 
@@ -57,7 +57,7 @@ void check_names_a_robot(const TomlNode& node, Reading& reading, ModelSection& m
   const bool has_file = node.find("file") != nullptr;
   if (model.robot.empty() && has_file) model.robot = "declared";
   if (model.robot.empty())
-    reading.problem_at("robot", node.location, "is missing: a robot plugin's name, or file = \"robot.toml\"");
+    reading.problem_at("robot", node.location, "is missing: the name of a robot plugin, or file = \"robot.toml\"");
   else if (model.robot == "declared" && !has_file)
     reading.problem_at("file", node.location,
                        "is missing: the robot \"declared\" is read from the file that this key names");
@@ -68,22 +68,22 @@ void check_names_a_robot(const TomlNode& node, Reading& reading, ModelSection& m
 Table<EffectEntry> effect_keys() {
   return Table<EffectEntry>()
       .key("id", &EffectEntry::id, element_name(),
-           "name within this list; the parameters are effect.ID.PARAMETER; without it the effect's name")
-      .required("effect", &EffectEntry::effect, element_name(), "an effect plugin's name")
+           "id of the entry; its parameters are effect.ID.PARAMETER; default: the effect's name")
+      .required("effect", &EffectEntry::effect, element_name(), "name of an effect plugin")
       .key("where", &EffectEntry::where, one_or_list_of(text()),
-           "elements such as \"joint.hinge\", * for all; they share one set of values; none: the world")
+           "elements such as \"joint.hinge\", * for all; all of them share one set of values; empty: the world")
       .key("start", &EffectEntry::start, map_of("PARAMETER", number("")),
-           "values where they differ from the effect's defaults")
-      .key("fixed", &EffectEntry::fixed, list_of(text()), "parameters that a fit leaves alone")
+           "start values that differ from the effect's defaults")
+      .key("fixed", &EffectEntry::fixed, list_of(text()), "parameters that are not fitted")
       .key("range", &EffectEntry::range, map_of("PARAMETER", range_of(number(""))),
-           "bounds of a parameter for fits and searches, [lower, upper], within what the effect allows")
+           "bounds of a parameter for fits and searches, [lower, upper], within the bounds of the effect")
       .check({}, complete_effect);
 }
 
 Table<EffectEntry> model_effect_keys() {
   return effect_keys().key("optional", &EffectEntry::optional, boolean(),
-                           "a run whose encoding has switches, as parameters_and_effects, may leave it out of models; "
-                           "everything else takes it as it is");
+                           "a run whose encoding has switches, such as parameters_and_effects, may leave this effect "
+                           "out of models; all other commands always include it");
 }
 
 Table<ModelSection> system_keys(const std::string& whose) {
@@ -91,49 +91,50 @@ Table<ModelSection> system_keys(const std::string& whose) {
   const std::string kind = of_model ? "" : "simulated: ";
   return Table<ModelSection>()
       .key("robot", &ModelSection::robot, element_name(),
-           kind + "a robot plugin's name; \"declared\" where file is given")
-      .key("parameters", &ModelSection::parameters, map_of("PARAMETER", number("")), kind + "of the robot plugin")
-      .key("file", &ModelSection::file, existing_file(), kind + "of a declared robot: TOML, URDF or MJCF")
+           kind + "name of a robot plugin; \"declared\" if file is given")
+      .key("parameters", &ModelSection::parameters, map_of("PARAMETER", number("")),
+           kind + "parameters of the robot plugin")
+      .key("file", &ModelSection::file, existing_file(), kind + "robot file: TOML, URDF or MJCF")
       .key("base", &ModelSection::base,
            choice<RobotBase>(
                {{"as_written", RobotBase::as_written}, {"held", RobotBase::held}, {"free", RobotBase::free}}),
            kind +
-               "of a file in URDF or MJCF: whether the body that all others hang on is held to the world or floats; "
-               "as_written: what the file says, and held where it says nothing")
+               "for URDF or MJCF: whether the root body is fixed to the world (held) or floats (free); as_written: as "
+               "the file says, held if it says nothing")
       .key("held", &ModelSection::held, list_of(text()),
            kind +
-               "joints of the file that stand still at position zero, such as \"joint.finger_*\"; their actuators and "
+               "joints of the file that are fixed at position zero, such as \"joint.finger_*\"; their actuators and "
                "sensors are left out")
       .key("actuator_kinds", &ModelSection::drive,
            map_of("ACTUATOR", choice<ActuatorKind>({{"force", ActuatorKind::force},
                                                     {"position_servo", ActuatorKind::position_servo},
                                                     {"velocity_servo", ActuatorKind::velocity_servo}})),
            kind +
-               "of a file in URDF or MJCF: what was commanded, where the file says something else or nothing, as in "
-               "{ \"actuator.*\" = \"position_servo\" }")
+               "for URDF or MJCF: kind of each actuator, if the file has another one or none, as in { \"actuator.*\" = "
+               "\"position_servo\" }")
       .key("set", &ModelSection::set, map_of("ADDRESS", number("").or_infinite()),
-           kind + "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
+           kind + "fixed values that replace those of the robot file, as in \"body.arm.mass\" = 0.5")
       .key("effects", &ModelSection::effects, list_of((of_model ? model_effect_keys() : effect_keys()).value()),
            "Physical effects that the " + std::string(of_model ? "" : "simulated ") + whose + " includes." +
-               (of_model ? " `lacuna add` and `undo` edit this list and nothing else in the file." : ""))
+               (of_model ? " `lacuna add` and `undo` edit only this list." : ""))
       .check({"effects"}, check_ids);
 }
 
 Table<ModelSection> model_keys() {
   return system_keys("model")
-      .key("free", &ModelSection::free, free_ranges(), "values that a fit may change, within these bounds")
+      .key("free", &ModelSection::free, free_ranges(), "values that a fit may change, with their bounds")
       .key<std::string>(
           "encoding", element_name(), "parameters",
           [](ModelSection& model, std::string&& name) { model.encoding.name = std::move(name); },
-          "what a model's genome means: a model encoding plugin")
+          "name of the model encoding plugin, which decodes genomes into models")
       .key<std::map<std::string, double>>(
           "encoding_parameters", map_of("PARAMETER", number("")), {},
           [](ModelSection& model, std::map<std::string, double>&& read) {
             model.encoding.parameters = std::move(read);
           },
-          "of that plugin")
+          "parameters of this plugin")
       .key("approximate", &ModelSection::approximate, boolean(),
-           "the start values are a first model: a run begins with the exploration phase instead of a random test")
+           "the start values are a first model: a run begins with an exploration phase instead of a random test")
       .check({"robot"}, check_names_a_robot);
 }
 

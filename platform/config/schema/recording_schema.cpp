@@ -46,18 +46,19 @@ std::string setup_name(const std::filesystem::path& file) {
 
 void check_drive(const TomlNode& node, Reading& reading, RecordingSource& source) {
   if (source.by_controllers && source.controllers.empty())
-    reading.problem_at("drive", node.find("drive")->location, "needs target.controllers, which say the laws");
+    reading.problem_at("drive", node.find("drive")->location, "needs the control laws in target.controllers");
   for (const ColumnMapping& command : source.commands)
     if (source.by_controllers && !command.enabled_by.empty())
-      reading.problem_at("commands." + command.channel, command.location,
-                         "enabled_by takes drive = \"commands\": a controller does not know when the actuator is off");
+      reading.problem_at(
+          "commands." + command.channel, command.location,
+          "enabled_by needs drive = \"commands\", because a controller does not know when the actuator is off");
 }
 
 void check_clock(const TomlNode& node, Reading& reading, RecordingSource& source) {
   const EncodingKind kind = source.time_encoding.kind;
   if (kind == EncodingKind::sign_bit || kind == EncodingKind::twos_complement)
     reading.problem_at("encoding", node.find("encoding")->location,
-                       "a clock is \"plain\" or \"wraps\" at a number, as in \"wraps 2^32\"");
+                       "write \"plain\", or \"wraps\" and a number, as in \"wraps 2^32\"");
 }
 
 /// An empty list says that nothing is to be held out.
@@ -77,13 +78,13 @@ void name_setups(const TomlNode&, Reading&, RecordingSource& source) {
 
 Table<RecordingSource> time_keys() {
   return Table<RecordingSource>()
-      .key("column", &RecordingSource::time_column, text(), "the column of time stamps")
+      .key("column", &RecordingSource::time_column, text(), "column of time stamps")
       .key("unit", &RecordingSource::time_unit, time_unit(), "their unit")
       .key("encoding", &RecordingSource::time_encoding, encoding(),
-           "how the clock wrote them: plain; wraps 2^32, starting again there; auto: as the column shows")
+           "format of the clock. plain: as it is; wraps 2^32: restarts there; auto: recognised from the column")
       .key("max_gap", &RecordingSource::max_gap, number("s").at_least(0.0),
-           "a longer pause between samples is a problem; 0: ten times the median interval")
-      .key("use", &RecordingSource::use, time_ranges(), "only these times, [start, end]; empty: all")
+           "longest allowed interval between samples; 0: ten times the median interval")
+      .key("use", &RecordingSource::use, time_ranges(), "use only these times, [start, end]; empty: all")
       .key("mask", &RecordingSource::mask, time_ranges(), "times that are not compared")
       .check({"encoding"}, check_clock);
 }
@@ -97,7 +98,7 @@ Table<InitialValue> joint_start_keys() {
            choice<InitialKnowledge>({{"given", InitialKnowledge::given},
                                      {"from_data", InitialKnowledge::from_data},
                                      {"free", InitialKnowledge::free}}),
-           "exact, estimated from the first 50 ms (which are then not scored), or fitted with the parameters");
+           "exact; estimated from the first 50 ms, which are then not scored; or fitted with the parameters");
 }
 
 Table<KnownStart> initial_keys() {
@@ -105,7 +106,7 @@ Table<KnownStart> initial_keys() {
       .merged(&KnownStart::joint, joint_start_keys())
       .key(
           "command", &KnownStart::command, number(""),
-          "of an actuator: what it was commanded before the first sample, in the unit of its commands; without it, "
+          "of an actuator: its command before the first sample, in the unit of its commands; default: "
           "what "
           "holds a robot that is given at rest, else the first 100 ms are not scored where commands or readings may be "
           "late")
@@ -137,24 +138,24 @@ Value<KnownOrFound> known_or_found(const std::string& unit) {
 
 Table<FurtherFile> further_file_keys() {
   return Table<FurtherFile>()
-      .required("file", &FurtherFile::path, existing_recording(),
-                "a further file of the same trial, with a clock of its own")
+      .required("file", &FurtherFile::path, existing_recording(), "further file of the same trial, with another clock")
       .key("table", &FurtherFile::table, text(0),
-           "of a file that has several, such as the topics of a bag: the one to be joined; empty: the only one")
+           "for a file with several tables, such as the topics of a bag: the table to join; empty: the only one")
       .key("columns", &FurtherFile::columns, list_of(text()),
-           "the columns to be taken from it; empty: those of the experiment that it alone has")
-      .key("time_column", &FurtherFile::time_column, text(), "its column of time stamps, where that is another")
-      .key("time_unit", &FurtherFile::time_unit, time_unit(), "their unit, where that is another")
+           "columns to take from it; empty: all columns of the experiment that only this file has")
+      .key("time_column", &FurtherFile::time_column, text(), "its column of time stamps, if different")
+      .key("time_unit", &FurtherFile::time_unit, time_unit(), "unit of its time stamps, if different")
       .key("offset", &FurtherFile::offset, known_or_found("s"),
-           "added to its time stamps, which gives times of the first file; \"auto\": found in the readings")
+           "timestamp offset that is added to get times of the first file; \"auto\": found from the readings")
       .key("skew", &FurtherFile::skew, known_or_found("1"),
-           "of the time since its first sample, added too: how much slower its clock runs; \"auto\": found")
+           "clock drift: this share of the time since its first sample is added too; \"auto\": found from the readings")
       .key("between", &FurtherFile::between, range_of(number("s").or_infinite()),
-           "where an offset is looked for that is not known")
+           "range in which an unknown offset is searched")
       .check({"between", "offset"},
              [](const TomlNode& node, Reading& reading, FurtherFile& file) {
                if (const TomlNode* between = node.find("between"); between && file.offset)
-                 reading.problem_at("between", between->location, "the offset is known; write offset = \"auto\"");
+                 reading.problem_at("between", between->location,
+                                    "is not needed for a known offset; leave it out, or write offset = \"auto\"");
              })
       .located(&FurtherFile::location);
 }
@@ -164,34 +165,35 @@ Table<MeasuredFile> recorded_file_keys() {
   return Table<MeasuredFile>()
       .required("file", &MeasuredFile::path, existing_recording(), "the measured file")
       .key("table", &MeasuredFile::table, text(0),
-           "of a file that has several, such as the topics of a bag or the runs of an export (\"Run #2\"): the one "
+           "for a file with several tables, such as the topics of a bag or the runs of an export (\"Run #2\"): the one "
            "whose "
-           "times the trial has; empty: that of the first sensor's column")
+           "times the trial has; empty: the table of the first sensor's column")
       .key("with", &MeasuredFile::with, list_of(further_file_keys().value()),
-           "further files of the same trial, written by other devices at times of their own")
+           "further files of the same trial, written by other devices with other clocks")
       .key("role", &MeasuredFile::held_out, choice<bool>({{"fit", false}, {"holdout", true}}),
-           "fitted to, or kept from every fit")
-      .key("use", &MeasuredFile::use, time_ranges(), "only these times of it, instead of target.time.use")
-      .key("mask", &MeasuredFile::mask, time_ranges(), "times of it that are not compared, besides target.time.mask")
+           "fit trial, or held out of every fit")
+      .key("use", &MeasuredFile::use, time_ranges(), "use only these times of the file, instead of target.time.use")
+      .key("mask", &MeasuredFile::mask, time_ranges(),
+           "times of the file that are not compared, in addition to target.time.mask")
       .key("holdout", &MeasuredFile::holdout, time_ranges(),
-           "stretches of a file to fit to that are kept from every fit, [start, end]: each is a trial of its own")
+           "held-out parts of a fit file, [start, end]: each is a separate trial that no fit reads")
       .key<std::map<std::string, double>>(
           "set", map_of("ADDRESS", number("").or_infinite()), {},
           [](MeasuredFile& file, std::map<std::string, double>&& read) {
             for (const auto& [address, value] : read) file.setup.values.push_back({address, value});
           },
-          "what was different in this file and is known, as in { \"body.load.mass\" = \"0.49 kg\" }")
+          "known values that differ in this file, as in { \"body.load.mass\" = \"0.49 kg\" }")
       .key("initial", &MeasuredFile::initial, map_of("JOINT_OR_ACTUATOR", initial_keys().value()),
-           "what is known at the start of this file, of the joints and actuators for which it differs from "
+           "known initial state of this file, for the joints and actuators for which it differs from "
            "target.initial")
       .key("own", &MeasuredFile::own, list_of(text()),
-           "addresses of values that are unknown and of this file alone, as in [\"body.load.mass\"]: each is fitted to "
-           "this file's trials within the bounds of model.free")
+           "unknown values of this file alone, as in [\"body.load.mass\"]: each is fitted to the trials of this file, "
+           "within the bounds of model.free")
       .check({"role", "holdout"},
              [](const TomlNode& node, Reading& reading, MeasuredFile& file) {
                if (file.held_out && !file.holdout.empty())
                  reading.problem_at("holdout", node.find("holdout")->location,
-                                    "the whole file is held out already; leave out role or holdout");
+                                    "role holds out the whole file already; leave out role or holdout");
              })
       .check({}, [](const TomlNode&, Reading& reading, MeasuredFile& file) { file.key = reading.path(); })
       .located(&MeasuredFile::location);
@@ -205,18 +207,18 @@ void check_further_files(const TomlNode&, Reading& reading, RecordingSource& sou
     if (file.with.empty()) continue;
     const SourceLocation& location = file.with.front().location;
     if (!source.trial_column.empty())
-      reading.problem_at("recording", location, "with takes files of one trial each; leave out trial_column");
+      reading.problem_at("recording", location, "with needs files of one trial each; leave out trial_column");
     if (!source.controllers.empty())
       reading.problem_at(
           "recording", location,
-          "with and target.controllers exclude each other: a controller acts at each sample of one file");
+          "with and target.controllers exclude each other, because a controller acts at each sample of one file");
   }
 }
 
 void check_trials(const TomlNode& node, Reading& reading, RecordingSource& source) {
   if (source.holdout_trials.empty() || !source.trial_column.empty()) return;
   reading.problem_at("holdout_trials", node.find("holdout_trials")->location,
-                     "needs trial_column, which tells the trials apart");
+                     "needs trial_column, the column that names the trials");
 }
 
 }  // namespace
@@ -224,35 +226,34 @@ void check_trials(const TomlNode& node, Reading& reading, RecordingSource& sourc
 Table<RecordingSource> recording_keys() {
   return Table<RecordingSource>()
       .key<std::vector<MeasuredFile>>("files", measured_files(false, 1), {}, append_files,
-                                      "recorded: measured files to fit to; required")
+                                      "recorded: fit files (required)")
       .key<std::vector<MeasuredFile>>(
           "holdout", measured_files(true, 0), {}, append_files,
-          "recorded: files kept from every fit; only compare and history read them. Without "
-          "it, the last quarter of a trial that is the only one is kept from every fit")
+          "recorded: held-out files, which no fit reads. Without them, the last quarter of a single trial is held out")
       .key<std::vector<MeasuredFile>>("recording", list_of(recorded_file_keys().value()), {}, append_files,
-                                      "recorded: files with what holds for each alone, as [[target.recording]]; beside "
+                                      "recorded: files with settings of each, as [[target.recording]]; in addition to "
                                       "or instead of files and holdout")
-      .key("delimiter", &RecordingSource::delimiter, delimiter(), "between columns; \"auto\": found out")
-      .key("decimal_comma", &RecordingSource::decimal_comma, boolean(), "numbers are written as 3,14")
-      .key("trial_column", &RecordingSource::trial_column, text(0), "column that tells several trials in a file apart")
+      .key("delimiter", &RecordingSource::delimiter, delimiter(), "character between columns; \"auto\": recognised")
+      .key("decimal_comma", &RecordingSource::decimal_comma, boolean(), "numbers are written like 3,14")
+      .key("trial_column", &RecordingSource::trial_column, text(0),
+           "column that names the trial of each row, for a file with several trials")
       .key("holdout_trials", &RecordingSource::holdout_trials, list_of(text()),
-           "values of trial_column that are kept from every fit")
+           "held-out trials: values of trial_column")
       .key("hold", &RecordingSource::hold, choice<Hold>({{"zero", Hold::zero_order}, {"first", Hold::first_order}}),
-           "between two samples a command stays (zero) or goes on a straight line (first)")
+           "between two samples a command is constant (zero) or linear (first)")
       .section("time", time_keys(), "Time stamps.")
       .key("sensors", &RecordingSource::sensors, sensor_columns(),
-           "What was measured: each table is named like the robot's sensor (its channel) that reads the same.")
+           "Measured columns: each table has the name of the robot's sensor (its channel).")
       .key("commands", &RecordingSource::commands, command_columns(),
-           "What was applied: each table is named like the robot's actuator that gets the command.")
+           "Applied commands: each table has the name of the robot's actuator.")
       .key("controllers", &RecordingSource::controllers, controllers(),
-           "What made the commands, where a controller did: each table is named like the actuator. `lacuna diagnose` "
-           "then also fits with the controller in the loop, and says where the feedback biases what is identified.")
+           "Controllers that made the commands: each table has the name of the actuator. `lacuna diagnose` then also "
+           "fits with the controller in the loop and reports bias from the feedback.")
       .key("drive", &RecordingSource::by_controllers, choice<bool>({{"commands", false}, {"controllers", true}}),
-           "what drives models: the recorded commands (open loop) or the controllers (closed loop), which correct the "
-           "model's motion as they corrected the rig's")
+           "what drives models: the recorded commands (open loop) or the controllers (closed loop)")
       .key("initial", &RecordingSource::initial, map_of("JOINT_OR_ACTUATOR", initial_keys().value()),
-           "What is known at the start of each trial: of a joint its position and velocity (joints not named here are "
-           "taken from the data), of an actuator what it was commanded before.")
+           "Known initial state of each trial: position and velocity of a joint (default: estimated from the data), "
+           "earlier command of an actuator.")
       .check({"holdout_trials", "trial_column"}, check_trials)
       .check({"files", "holdout", "recording"}, name_setups)
       .check({"recording", "trial_column", "controllers"}, check_further_files)

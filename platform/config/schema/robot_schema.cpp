@@ -28,7 +28,7 @@ Value<Eigen::Vector3d> direction() {
       result /= length;
       return true;
     }
-    reading.problem(node, "a direction of length zero points nowhere");
+    reading.problem(node, "a direction must not have length zero");
     return false;
   };
   return either(letter, numbers);
@@ -83,28 +83,29 @@ Table<ShapeInFile> shape_keys() {
       .key<Eigen::Vector3d>(
           "at", vector3("m"), {0.0, 0.0, 0.0},
           [](ShapeInFile& shape, Eigen::Vector3d&& at) { shape.spec.position = at; }, "its centre in the body frame")
-      .key("along", &ShapeInFile::along, direction(), "where the shape's own z points, in the body frame")
-      .key("rpy", &ShapeInFile::rpy, vector3("rad"), "instead of along: turned about the body's x, then y, then z")
-      .key("mass", &ShapeInFile::mass, number("kg").above(0.0), "from which the body's mass and inertia follow")
+      .key("along", &ShapeInFile::along, direction(), "direction of the shape's z axis, in the body frame")
+      .key("rpy", &ShapeInFile::rpy, vector3("rad"), "instead of along: rotation about the body's x, then y, then z")
+      .key("mass", &ShapeInFile::mass, number("kg").above(0.0), "gives the body's mass and inertia")
       .key("density", &ShapeInFile::density, number("kg/m^3").above(0.0), "instead of mass")
-      .key("collides", &ShapeInFile::collides, boolean(), "false: it has mass, but touches nothing");
+      .key("collides", &ShapeInFile::collides, boolean(), "false: the shape has mass but no contact");
 }
 
 Table<BodyInFile> body_keys() {
   const Table<BodySpec> spec =
       Table<BodySpec>()
           .key("at", &BodySpec::position, vector3("m"), "origin of the body frame in the world, all joints at zero")
-          .key("rpy", &BodySpec::orientation, orientation(), "turned about the world's x, then y, then z")
+          .key("rpy", &BodySpec::orientation, orientation(), "rotation about the world's x, then y, then z")
           .key("inertia_scales_with_mass", &BodySpec::inertia_scales_with_mass, boolean(),
-               "setting or fitting the mass alone scales the inertia with it");
+               "if only the mass is set or fitted, the inertia scales with it");
   return Table<BodyInFile>()
       .merged(&BodyInFile::spec, spec)
-      .key("mass", &BodyInFile::mass, number("kg").above(0.0), "without it, the sum of its shapes")
-      .key("com", &BodyInFile::com, vector3("m"), "centre of mass in the body frame; without it, that of the shapes")
+      .key("mass", &BodyInFile::mass, number("kg").above(0.0), "default: the sum of the shapes' masses")
+      .key("com", &BodyInFile::com, vector3("m"),
+           "centre of mass in the body frame; default: the shapes' centre of mass")
       .key("inertia", &BodyInFile::inertia, inertia(),
-           "about the centre of mass, along the body's axes; without it, that of the shapes")
+           "about the centre of mass, along the body's axes; default: the shapes' inertia")
       .key("shapes", &BodyInFile::shapes, list_of(shape_keys().value()),
-           "What touches the ground, and where mass and inertia follow from.");
+           "Shapes for contact with the ground, and for mass and inertia.");
 }
 
 Table<JointSpec> joint_law_keys() {
@@ -117,17 +118,20 @@ Table<JointSpec> joint_law_keys() {
                               {"ball", JointKind::ball},
                               {"free", JointKind::free},
                               {"universal", JointKind::universal}}),
-           "what it lets move")
+           "motion that the joint allows")
       .key("parent", &JointSpec::parent, element_name(), "a body, or \"world\"")
-      .required("child", &JointSpec::child, element_name(), "the body that it holds")
-      .key("axis", &JointSpec::axis, direction(), "in the world, all joints at zero; positive is right-handed about it")
+      .required("child", &JointSpec::child, element_name(), "the body that moves")
+      .key("axis", &JointSpec::axis, direction(),
+           "axis in the world, all joints at zero; positive by the right-hand rule")
       .key("lower", &JointSpec::lower, NumberValue(position).or_infinite(), "stop")
       .key("upper", &JointSpec::upper, NumberValue(position).or_infinite(), "stop")
       .key("damping", &JointSpec::damping, number("N*m*s/rad or N*s/m").at_least(0.0), "viscous friction")
       .key("dry_friction", &JointSpec::dry_friction, number("N*m or N").at_least(0.0), "Coulomb friction")
-      .key("stiffness", &JointSpec::stiffness, number("N*m/rad or N/m").at_least(0.0), "of a spring to rest")
-      .key("rest", &JointSpec::rest, position, "where that spring is at rest")
-      .key("armature", &JointSpec::armature, number("kg*m^2 or kg").at_least(0.0), "inertia added to the coordinate")
+      .key("stiffness", &JointSpec::stiffness, number("N*m/rad or N/m").at_least(0.0),
+           "stiffness of a spring to the position rest")
+      .key("rest", &JointSpec::rest, position, "rest position of the spring")
+      .key("armature", &JointSpec::armature, number("kg*m^2 or kg").at_least(0.0),
+           "inertia added to the joint's coordinate")
       .key("force", &JointSpec::force, number("N*m or N"), "constant force or torque");
 }
 
@@ -135,7 +139,7 @@ Table<JointInFile> joint_keys() {
   return Table<JointInFile>()
       .merged(&JointInFile::spec, joint_law_keys())
       .key("anchor", &JointInFile::anchor, vector3("m"),
-           "in the world, all joints at zero; without it, the child's origin")
+           "position in the world, all joints at zero; default: the child's origin")
       .key("axis2", &JointInFile::axis2, direction(),
            "of a universal joint: the child's axis, at right angles to axis");
 }
@@ -154,26 +158,24 @@ Table<TransmissionSpec> transmission_keys() {
 Table<MotorSpec> motor_keys() {
   return Table<MotorSpec>()
       .key("torque_constant", &MotorSpec::torque_constant, number("N*m/A or N/A").above(0.0),
-           "torque at the joint per current")
+           "joint torque per current")
       .key("resistance", &MotorSpec::resistance, number("Ohm").above(0.0), "of the winding and its driver")
       .key("back_emf", &MotorSpec::back_emf, number("1").at_least(0.0),
-           "voltage per joint velocity over the torque constant; 1: nothing is lost in between")
-      .key("supply", &MotorSpec::supply, number("V").above(0.0).or_infinite(),
-           "voltage of the supply; a servo needs it")
+           "ratio of back-EMF constant to torque constant; 1: no loss")
+      .key("supply", &MotorSpec::supply, number("V").above(0.0).or_infinite(), "supply voltage; required for a servo")
       .key("duty_limit", &MotorSpec::duty_limit, number("1").above(0.0),
-           "largest share of the supply that the driver puts out")
+           "largest share of the supply voltage that the driver applies")
       .key("gain_unit", &MotorSpec::gain_unit, number("1/rad or 1/m").above(0.0),
-           "of a servo: share of the supply per rad or m that one count of kp stands for")
+           "servo: share of the supply voltage per rad or m for one count of kp")
       .key("sample_time", &MotorSpec::sample_time, number("s").at_least(0.0),
-           "of a servo: it reads its position so often, at whole integration steps, and holds the voltage in between; "
-           "0: at "
-           "all times");
+           "servo: interval of its position readings, rounded to integration steps; the voltage is constant in "
+           "between; 0: continuous");
 }
 
 Table<ActuatorSpec> actuator_keys() {
   const std::string command = "";  // force, velocity or position: the kind decides
   return Table<ActuatorSpec>()
-      .required("joint", &ActuatorSpec::joint, element_name(), "the joint that it drives")
+      .required("joint", &ActuatorSpec::joint, element_name(), "driven joint")
       .key("kind", &ActuatorSpec::kind,
            choice<ActuatorKind>({{"force", ActuatorKind::force},
                                  {"velocity_servo", ActuatorKind::velocity_servo},
@@ -182,33 +184,33 @@ Table<ActuatorSpec> actuator_keys() {
                                  {"voltage", ActuatorKind::voltage},
                                  {"voltage_servo", ActuatorKind::voltage_servo},
                                  {"motion", ActuatorKind::motion}}),
-           "what a command means: a force, a velocity, a position (both servos and pid), a voltage on a motor, a "
+           "meaning of the command: a force, a velocity, a position (both servos and pid), a voltage on a motor, a "
            "position "
-           "that a servo reaches by a voltage on its motor, or motion: the velocity that is imposed on the joint")
-      .key("gain", &ActuatorSpec::gain, number("1"), "multiplies the command before anything else")
+           "that a servo reaches by a voltage on its motor, or motion: the imposed velocity of the joint")
+      .key("gain", &ActuatorSpec::gain, number("1"), "factor of the command, applied first")
       .key("relative", &ActuatorSpec::relative, boolean(),
-           "the command has no unit; the gain makes a position or force of a share of 1")
+           "the command has no unit; the gain converts it to a position or force")
       .key("offset", &ActuatorSpec::offset, number(command), "added to the command after the gain")
-      .key("delay", &ActuatorSpec::delay, number("s").at_least(0.0), "of the command")
+      .key("delay", &ActuatorSpec::delay, number("s").at_least(0.0), "delay of the command")
       .key("kp", &ActuatorSpec::kp, number("N*m/rad or N/m").at_least(0.0),
-           "of position servo and pid; of a voltage servo in counts of its own (motor.gain_unit)")
+           "position servo and pid; voltage servo: in its counts (motor.gain_unit)")
       .key("ki", &ActuatorSpec::ki, number("N*m/(rad*s) or N/(m*s)").at_least(0.0), "of pid")
       .key("kd", &ActuatorSpec::kd, number("N*m*s/rad or N*s/m").at_least(0.0),
-           "of servos and pid; of a voltage servo in counts and s")
+           "servos and pid; voltage servo: in counts and s")
       .key("force_limit", &ActuatorSpec::force_limit, number("N*m or N").at_least(0.0).or_infinite(), "at the joint")
       .key("command_lower", &ActuatorSpec::command_lower, number(command).or_infinite(), "commands are clipped to this")
       .key("command_upper", &ActuatorSpec::command_upper, number(command).or_infinite(), "commands are clipped to this")
       .key("transmission", &ActuatorSpec::transmission, transmission_keys().value(),
-           "What lies between motor and joint.")
-      .key("motor", &ActuatorSpec::motor, motor_keys().value(), "Of kinds voltage and voltage_servo: the motor.");
+           "Transmission between motor and joint.")
+      .key("motor", &ActuatorSpec::motor, motor_keys().value(), "Motor, for kinds voltage and voltage_servo.");
 }
 
 Table<CouplingSpec> coupling_keys() {
   return Table<CouplingSpec>()
       .required("joint", &CouplingSpec::joint, element_name(), "a hinge or slider that follows another")
       .required("follows", &CouplingSpec::follows, element_name(), "the hinge or slider that it follows")
-      .key("ratio", &CouplingSpec::ratio, number("1, rad/m or m/rad"), "of its coordinate to the other's")
-      .key("offset", &CouplingSpec::offset, number("rad or m"), "its coordinate where the other's is zero");
+      .key("ratio", &CouplingSpec::ratio, number("1, rad/m or m/rad"), "ratio of its coordinate to the other's")
+      .key("offset", &CouplingSpec::offset, number("rad or m"), "its coordinate when the other's is zero");
 }
 
 Table<SensorInFile> sensor_keys() {
@@ -230,33 +232,33 @@ Table<SensorInFile> sensor_keys() {
                                         {"link_angle", SensorKind::link_angle},
                                         {"link_velocity", SensorKind::link_velocity},
                                         {"accelerometer", SensorKind::accelerometer}}),
-                    "what it reads")
-          .key("beacon", &SensorSpec::beacon, vector3("m"),
-               "of beacon_range: the place from which distance is measured")
-          .key("at", &SensorSpec::at, vector3("m"), "of accelerometer: where it is, in the body's frame")
-          .key("delay", &SensorSpec::delay, number("s").at_least(0.0), "before the start the initial value is read")
-          .key("scale", &SensorSpec::scale, number("1"), "multiplies the reading")
+                    "measured quantity")
+          .key("beacon", &SensorSpec::beacon, vector3("m"), "beacon_range: point from which the distance is measured")
+          .key("at", &SensorSpec::at, vector3("m"), "accelerometer: its position in the body frame")
+          .key("delay", &SensorSpec::delay, number("s").at_least(0.0),
+               "delay of the reading; before the start it is the initial value")
+          .key("scale", &SensorSpec::scale, number("1"), "factor of the reading")
           .key("relative", &SensorSpec::relative, boolean(),
-               "the channels have no unit; the scale makes a share of 1 of what is read")
+               "the channels have no unit; the scale converts the measured quantity")
           .key("offset", &SensorSpec::offset, number(channel), "added after the scale")
           .key("noise", &SensorSpec::noise, number(channel).at_least(0.0), "standard deviation of white noise")
           .key("quantum", &SensorSpec::quantum, number(channel).at_least(0.0), "step of the quantiser; 0: none");
   return Table<SensorInFile>()
       .merged(&SensorInFile::spec, spec)
       .key("joint", &SensorInFile::joint, element_name(),
-           "the joint that a joint_*, drive_* or link_* sensor reads: joint_* against its parent, link_* against the "
+           "joint of a joint_*, drive_* or link_* sensor: joint_* relative to its parent, link_* relative to the "
            "world")
-      .key("body", &SensorInFile::body, element_name(), "the body that any other sensor reads");
+      .key("body", &SensorInFile::body, element_name(), "body of any other sensor");
 }
 
 Table<ContactSpec> contact_keys() {
   return Table<ContactSpec>()
-      .key("ground", &ContactSpec::ground, boolean(), "is there a ground plane z = 0?")
+      .key("ground", &ContactSpec::ground, boolean(), "whether there is a ground plane z = 0")
       .key("stiffness", &ContactSpec::stiffness, number("N/m").above(0.0).or_infinite(), "inf: rigid")
       .key("damping", &ContactSpec::damping, number("N*s/m").at_least(0.0), "of the contact")
       .key("friction", &ContactSpec::friction, number("1").at_least(0.0).or_infinite(), "Coulomb's coefficient")
       .key("slope", &ContactSpec::slope, number("rad").between(-1.5, 1.5),
-           "ground turned about y; positive descends along x");
+           "slope of the ground, about y; positive: descends along x");
 }
 
 /// Elements in a table whose keys are their names, kept in a list in the order of the file.
@@ -292,23 +294,23 @@ Table<RobotInFile> robot_keys() {
   const Table<RobotInFile> world =
       Table<RobotInFile>().key("gravity", &RobotInFile::gravity, vector3("m/s^2"), "z points up");
   return Table<RobotInFile>()
-      .section("robot", head, "What the robot is called.", true)
-      .section("world", world, "What surrounds it.")
+      .section("robot", head, "Name of the robot.", true)
+      .section("world", world, "Surroundings of the robot.")
       .required("body", &RobotInFile::bodies,
                 elements<BodyInFile>("BODY", body_keys(), [](BodyInFile& b) -> std::string& { return b.spec.name; }),
-                "Rigid bodies. One that is no joint's child floats.")
+                "Rigid bodies. A body that is not the child of a joint floats.")
       .key("joint", &RobotInFile::joints,
            elements<JointInFile>("JOINT", joint_keys(), [](JointInFile& j) -> std::string& { return j.spec.name; }),
            "Joints, each between a parent and a child.")
       .key("actuator", &RobotInFile::actuators,
            elements<ActuatorSpec>("ACTUATOR", actuator_keys(), [](ActuatorSpec& a) -> std::string& { return a.name; }),
-           "What drives joints.")
+           "Actuators, which drive joints.")
       .key("coupling", &RobotInFile::couplings,
            elements<CouplingSpec>("COUPLING", coupling_keys(), [](CouplingSpec& c) -> std::string& { return c.name; }),
-           "Gears, belts and linkages that hold two joints together: q(joint) = ratio * q(follows) + offset.")
+           "Gears, belts and linkages that couple two joints: q(joint) = ratio * q(follows) + offset.")
       .key("sensor", &RobotInFile::sensors,
            elements<SensorInFile>("SENSOR", sensor_keys(), [](SensorInFile& s) -> std::string& { return s.spec.name; }),
-           "What is read.")
+           "Sensors.")
       .key("contact", &RobotInFile::contact, contact_keys().value(), "Contact of bodies with the ground.");
 }
 

@@ -20,7 +20,7 @@ std::string bounds(const Shape& shape) {
 }
 
 std::string number_words(const Shape& shape) {
-  if (shape.unit.empty()) return "a number or a text with its unit" + bounds(shape);
+  if (shape.unit.empty()) return "a number, or a text with a unit" + bounds(shape);
   return (shape.unit == "1" ? "a number" : "a number in " + shape.unit) + bounds(shape);
 }
 

@@ -19,7 +19,7 @@ Value<FreeRange> hidden_range() {
       .required<std::pair<double, double>>(
           "uniform", range_of(number("")),
           [](FreeRange& range, std::pair<double, double>&& read) { std::tie(range.lower, range.upper) = read; },
-          "the value is drawn from between these two")
+          "the value is drawn uniformly between these two")
       .value();
 }
 
@@ -32,23 +32,21 @@ Table<ModelSection> hidden_keys() {
             range.pattern = member.name;
             ranges.push_back(std::move(range));
           }),
-      "Values that nobody knows, each drawn by itself, as in \"body.*.mass\" = { uniform = [1.0, 7.0] }");
+      "Hidden values, each drawn independently, as in \"body.*.mass\" = { uniform = [1.0, 7.0] }");
 }
 
 Table<SimulatedSource> simulated_keys() {
   return Table<SimulatedSource>()
       .merged(&SimulatedSource::system, hidden_keys())
       .key("hidden_seed", &SimulatedSource::hidden_seed, whole_number<std::uint64_t>(0, kLargestSeed),
-           "simulated: of the hidden values")
+           "simulated: seed of the hidden values")
       .key("redraw", &SimulatedSource::redraw,
            choice<Redraw>({{"never", Redraw::never}, {"replicate", Redraw::replicate}}),
-           "simulated: whether each replicate has hidden values of its own")
+           "simulated: whether each replicate has other hidden values")
       .key("noise", &SimulatedSource::noise, map_of("SENSOR", number("").at_least(0.0)),
            "simulated: standard deviation of white measurement noise, as in \"sensor.angle*\" = 0.002")
-      .key(
-          "substeps", &SimulatedSource::substeps, whole_number<int>(0, 1000000),
-          "simulated: integration steps in one of engine.step, where they are to be others than those of models, which "
-          "have engine.substeps; 0: the same");
+      .key("substeps", &SimulatedSource::substeps, whole_number<int>(0, 1000000),
+           "simulated: integration steps per engine.step of the target; 0: as for models (engine.substeps)");
 }
 
 /// A folder that is there, variables replaced, from the experiment file's.
@@ -62,7 +60,7 @@ Value<std::filesystem::path> existing_folder() {
     try {
       result = reading.directory() / replace_variables(written);
       if (std::filesystem::is_directory(result)) return true;
-      reading.problem(node, toml_text(written) + " is no folder; paths are taken from the experiment file's");
+      reading.problem(node, toml_text(written) + " is not a folder; paths are relative to the experiment file");
     } catch (const Error& error) {
       reading.problem(node, error.what());
     }
@@ -93,24 +91,26 @@ Value<std::string> text_with_variables() {
 Table<ProcessSource> process_keys() {
   return Table<ProcessSource>()
       .key("command", &ProcessSource::command, list_of(text_with_variables(), 1),
-           "process: the program and its arguments, as in [\"python3\", \"rig.py\"]; it speaks the protocol of "
-           "docs/reference/process-target.md on its standard input and output")
+           "process: program and arguments, as in [\"python3\", \"rig.py\"]; it uses the protocol of "
+           "docs/reference/process-target.md on standard input and output")
       .key("folder", &ProcessSource::folder, existing_folder(),
-           "process: that the program works in; without it the experiment file's")
+           "process: working folder of the program; default: the experiment file's folder")
       .key("environment", &ProcessSource::environment, map_of("NAME", text_with_variables()),
-           "process: variables that the program gets besides those of lacuna")
+           "process: environment variables of the program, in addition to those of lacuna")
       .key("start_limit", &ProcessSource::start_limit, number("s").above(0.0),
-           "process: how long the program may take until it has said hello")
+           "process: time limit until the program says hello")
       .key("trial_limit", &ProcessSource::trial_limit, number("s").above(0.0),
-           "process: how much longer than the test itself a trial may take")
+           "process: time that a trial may take beyond the duration of the test")
       .key("repeats", &ProcessSource::repeats, whole_number<int>(0, 1000),
-           "process: how often `lacuna run` tries a test again that failed before it takes another one")
+           "process: how often `lacuna run` repeats a failed test before it takes another one")
       .key("pause", &ProcessSource::pause, number("s").at_least(0.0),
-           "process: how long `lacuna run` waits after a test that failed before it tries again")
+           "process: pause of `lacuna run` after a failed test")
       .key("copies", &ProcessSource::copies, whole_number<int>(1, 1000),
-           "process: how many of the program may run at the same time; a rig is one, replicates wait for it")
+           "process: how many instances of the program may run at the same time; 1 for a rig, for which replicates "
+           "then wait")
       .key("version", &ProcessSource::version, text(),
-           "process: another text for a target that has changed, whose trials so far are then left out");
+           "process: version of the target; change it when the target has changed, so that its earlier trials are left "
+           "out");
 }
 
 namespace {
@@ -142,7 +142,7 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
   for (const auto& [kind, shape] : kinds)
     for (const KeyShape& key : shape.keys) {
       const TomlNode* found = kind == target.kind ? nullptr : node.find(key.name);
-      if (found) reading.problem_at(key.name, found->location, "is a key of kind = " + toml_text(kind));
+      if (found) reading.problem_at(key.name, found->location, "is only used with kind = " + toml_text(kind));
     }
   std::string& robot = target.simulated.system.robot;
   if (target.kind == "simulated" && robot.empty() && node.find("file")) robot = "declared";
@@ -151,8 +151,8 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
     const char *kind, *key, *complaint;
   };
   static constexpr Need kNeeds[] = {
-      {"recorded", "files", "is missing: measured files to fit to (a list of at least 1, each a file's path)"},
-      {"simulated", "robot", "is missing: a robot plugin's name, or file = \"robot.toml\""},
+      {"recorded", "files", "is missing: fit files (a list of at least 1, each a file's path)"},
+      {"simulated", "robot", "is missing: the name of a robot plugin, or file = \"robot.toml\""},
       {"process", "command", "is missing: the program and its arguments, as in [\"python3\", \"rig.py\"]"}};
   const bool has_recording = target.kind == "recorded" && node.find("recording");
   for (const Need& need : kNeeds)
@@ -166,9 +166,9 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
 Table<TargetSection> target_keys() {
   return Table<TargetSection>()
       .key("kind", &TargetSection::kind, element_name(),
-           "what the target is: recorded, measured files; simulated, a robot with values hidden from the search; "
-           "process, a program of its own, such as a rig's driver or another simulator; or a target plugin's name, "
-           "which takes no further key")
+           "kind of target: recorded (measured files), simulated (a robot with values hidden from the search), process "
+           "(a program, such as a rig's driver or another simulator), or the name of a target plugin, which has no "
+           "further key")
       .merged(&TargetSection::recording, recording_keys())
       .merged(&TargetSection::simulated, simulated_keys())
       .merged(&TargetSection::process, process_keys())

@@ -187,7 +187,7 @@ Value<std::string> element_name() {
     if (!plain.read(node, reading, result)) return false;
     if (is_element_name(result)) return true;
     reading.problem(node, is_blank(result) ? blank_complaint(result, "")
-                                           : toml_text(result) + " cannot be a name; use letters, digits, _ and -");
+                                           : toml_text(result) + " is not a valid name; use letters, digits, _ and -");
     return false;
   };
   return value;
@@ -245,8 +245,8 @@ Value<std::pair<double, double>> range_of(const NumberValue& number_value) {
     if (!fits_list(list.shape, node, reading) || !list.read(node, reading, numbers)) return false;
     result = {numbers[0], numbers[1]};
     if (result.first < result.second) return true;
-    reading.problem(node, fmt::format("the bounds stand the wrong way round or are equal: {} is not below {}",
-                                      result.first, result.second));
+    reading.problem(node,
+                    fmt::format("the lower bound {} is not below the upper bound {}", result.first, result.second));
     return false;
   };
   value.write = [list](const std::pair<double, double>& shown) { return list.write({shown.first, shown.second}); };
@@ -275,7 +275,7 @@ bool is_unquoted_address(const Shape& shape, const TomlMember& member, Reading& 
   const bool is_address = shape.name_hint == "ADDRESS" || shape.name_hint == "ELEMENT";
   if (!is_address || member.value.kind != TomlNode::Kind::table || member.name.find('.') != std::string::npos)
     return false;
-  reading.problem(member.location, "an address stands in quotes, as in \"body.arm.mass\" = 1.0");
+  reading.problem(member.location, "write the address in quotes, as in \"body.arm.mass\" = 1.0");
   return true;
 }
 

@@ -15,7 +15,7 @@ namespace {
 std::string value_of(const std::string& name, const std::string& written) {
   const char* value = std::getenv(name.c_str());
   if (value != nullptr) return value;
-  throw Error("the environment variable " + name + " is not set; set it to the folder meant in \"" + written + "\"");
+  throw Error("the environment variable " + name + " is not set; set it to the folder for \"" + written + "\"");
 }
 
 }  // namespace

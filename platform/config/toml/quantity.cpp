@@ -25,12 +25,12 @@ Quantity parse_quantity(std::string_view text) {
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
   if (error == std::errc::result_out_of_range) throw Error(toml_text(text) + " is beyond the range of a number");
   if (error != std::errc())
-    throw Error(toml_text(text) + " is no quantity; write a number and its unit, as in \"120 mm\"");
+    throw Error(toml_text(text) + " is not a quantity; write a number and its unit, as in \"120 mm\"");
   rest = without_blanks(rest.substr(static_cast<std::size_t>(end - rest.data())));
   Quantity quantity;
   quantity.unit = rest.empty() ? "1" : std::string(rest);
   const std::optional<Unit> unit = parse_unit(quantity.unit);
-  if (!unit) throw Error(toml_text(quantity.unit) + " is no unit; known are " + known_units());
+  if (!unit) throw Error(toml_text(quantity.unit) + " is not a unit; known units are " + known_units());
   quantity.parsed = *unit;
   quantity.value_in_si = number * unit->to_si;
   if (std::isfinite(number) && !std::isfinite(quantity.value_in_si))

@@ -26,7 +26,7 @@ std::string read_text_file(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, failure)) refuse(file, "is a folder; name a file in it");
   if (const std::string why = why_no_regular_file(file); !why.empty()) refuse(file, why);
   if (std::filesystem::file_size(file, failure) > kLargestFile || failure)
-    refuse(file, "longer than 4 MiB; measured data belongs into files of its own");
+    refuse(file, "is longer than 4 MiB; put measured data into separate files");
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream) {

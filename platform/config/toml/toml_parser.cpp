@@ -101,8 +101,7 @@ int line_that_breaks_assertion(const std::string& text) {
 }  // namespace
 
 TomlNode parse_toml(const std::string& text, const std::string& file) {
-  if (text.size() > kLargestText)
-    refuse({file, 0, 0}, "longer than 4 MiB; measured data belongs into files of its own");
+  if (text.size() > kLargestText) refuse({file, 0, 0}, "is longer than 4 MiB; put measured data into separate files");
   if (const auto at = find_long_key(text, kLongestKey))
     refuse({file, line_of(text, *at), 0}, "a dotted key has more than 16 parts");
   try {
@@ -110,7 +109,7 @@ TomlNode parse_toml(const std::string& text, const std::string& file) {
   } catch (const toml::parse_error& error) {
     refuse(located(file, error.source().begin), "not TOML: " + std::string(error.description()));
   } catch (const BrokenTomlAssertion&) {
-    refuse({file, line_that_breaks_assertion(text), 0}, "not TOML: a character stands where it cannot");
+    refuse({file, line_that_breaks_assertion(text), 0}, "not TOML: unexpected character");
   }
 }
 

@@ -235,7 +235,7 @@ function pagesOf(way, open) {
         'Spread',
         'Error on new trials',
         'Parameters and hidden values: delay',
-        'Models that pass 2 handed on',
+        'Models carried over from pass 2',
       ])
         await page.waitForSelector(`.figure-title:has-text("${title}")`);
       assert.match(await page.textContent('.facts'), /2 of 2/);
