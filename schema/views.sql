@@ -1,8 +1,8 @@
 -- Views for reading with any sqlite3 of version 3.37 or later (no jsonb, no extension).
--- Above each view: what a row is, then an example. `lacuna sql FILE --views` prints them and
+-- Above each view: the meaning of a row, then an example. `lacuna sql FILE --views` prints them and
 -- database.md explains the columns. Run numbers are id >> 40, counters id & 1099511627775 (2^40 - 1).
 
--- One row a run: when, what command, how it ended, from which build.
+-- One row per run: time, command, how it ended, and the build.
 -- example: SELECT run, started, ending, command FROM runs ORDER BY run;
 CREATE VIEW runs AS
 SELECT run.number AS run, experiment.name AS experiment, run.command, run.started, run.ended,
@@ -13,7 +13,7 @@ LEFT JOIN experiment_text ON experiment_text.id = run.experiment_text
 LEFT JOIN experiment ON experiment.id = experiment_text.experiment
 LEFT JOIN provenance ON provenance.run = run.number;
 
--- One row a revision of an experiment's model: its parent and what changed.
+-- One row per revision of an experiment's model: its parent and the change from it.
 -- example: SELECT number, parent, change, effects FROM revisions ORDER BY number;
 CREATE VIEW revisions AS
 SELECT experiment.name AS experiment, revision.number, parent.number AS parent, revision.change,
@@ -24,7 +24,7 @@ FROM revision
 JOIN experiment ON experiment.id = revision.experiment
 LEFT JOIN revision AS parent ON parent.id = revision.parent;
 
--- One row a trial and channel of the latest refitted comparison of each revision: how far the free run is off.
+-- One row per trial and channel of the latest refitted comparison of each revision: the error of the free run.
 -- example: SELECT revision, trial, channel, rmse, times_floor, max_error_time FROM latest_comparison ORDER BY revision, held_out;
 CREATE VIEW latest_comparison AS
 SELECT experiment.name AS experiment, revision.number AS revision, trial.name AS trial, trial.held_out,
@@ -46,7 +46,7 @@ WHERE comparison.id = (
   WHERE newer.revision = comparison.revision AND newer.kind = 'refitted'
     AND newer_trial.held_out = trial.held_out);
 
--- One row a trial that was made in a setup of its own: what its recording sets, and what is fitted to it alone.
+-- One row per trial with a setup: the values that its recording sets, and the values that are fitted to it alone.
 -- example: SELECT trial, setup, settings, own FROM trial_setups ORDER BY trial;
 CREATE VIEW trial_setups AS
 SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trial.setup,
@@ -63,7 +63,7 @@ FROM trial
 JOIN experiment ON experiment.id = trial.experiment
 WHERE trial.setup <> '';
 
--- One row a revision and channel: the error on fitted and on held-out trials, and in multiples of the noise floor.
+-- One row per revision and channel: the error on fit trials and on held-out trials, and in multiples of the noise floor.
 -- example: SELECT revision, change, channel, fit_rmse, held_out_rmse, times_floor FROM error_by_revision ORDER BY revision;
 CREATE VIEW error_by_revision AS
 WITH pooled AS (
@@ -89,7 +89,7 @@ FROM sides
 JOIN experiment ON experiment.name = sides.experiment
 JOIN revision ON revision.experiment = experiment.id AND revision.number = sides.revision;
 
--- One row a value of the latest fit of each revision, with its 95 % interval.
+-- One row per value of the latest fit of each revision, with its 95 % interval.
 -- example: SELECT revision, address, value, unit, lower, upper FROM fitted_parameters ORDER BY revision, position;
 CREATE VIEW fitted_parameters AS
 SELECT experiment.name AS experiment, revision.number AS revision, fitted_value.position, fitted_value.address,
@@ -101,7 +101,7 @@ JOIN experiment ON experiment.id = revision.experiment
 JOIN fitted_value ON fitted_value.fit = fit.id
 WHERE fit.id = (SELECT max(id) FROM fit AS newer WHERE newer.revision = fit.revision);
 
--- One row a look at held-out data, which loses its worth as a judge with each look.
+-- One row per look at held-out data; each look weakens them as evidence.
 -- example: SELECT number, revision, time, command FROM holdout_looks ORDER BY number;
 CREATE VIEW holdout_looks AS
 SELECT experiment.name AS experiment, holdout_look.number, revision.number AS revision, holdout_look.time,
@@ -110,7 +110,7 @@ FROM holdout_look
 JOIN experiment ON experiment.id = holdout_look.experiment
 JOIN revision ON revision.id = holdout_look.revision;
 
--- One row a trial and channel of the latest comparison of each revision: the error that a right model would leave, its parts and where it comes from.
+-- One row per trial and channel of the latest comparison of each revision: the noise floor, its parts and its origin.
 -- example: SELECT revision, trial, channel, floor, unit, origin FROM noise_floors ORDER BY revision;
 CREATE VIEW noise_floors AS
 SELECT experiment.name AS experiment, revision.number AS revision, trial.name AS trial, noise_floor.channel,
@@ -123,7 +123,7 @@ JOIN revision ON revision.id = comparison.revision
 JOIN experiment ON experiment.id = revision.experiment
 WHERE comparison.id IN (SELECT max(id) FROM comparison GROUP BY revision);
 
--- One row per diagnosis: its verdict with its probability, what it would add, and whether the time limit stopped it.
+-- One row per diagnosis: its verdict and probability, its answer, and whether the time limit stopped it.
 -- example: SELECT revision, verdict, method, chance, answer, base_fitted_times_floor, fitted_times_floor FROM diagnoses ORDER BY id;
 CREATE VIEW diagnoses AS
 SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.verdict, diagnosis.method,
@@ -142,7 +142,7 @@ JOIN revision ON revision.id = diagnosis.revision
 JOIN experiment ON experiment.id = revision.experiment
 LEFT JOIN candidate_model AS best ON best.diagnosis = diagnosis.id AND best.rank = 1;
 
--- One row a candidate of the latest diagnosis of each revision, the likeliest first: how much better it predicts what was left out.
+-- One row per candidate of the latest diagnosis of each revision, the best first, with its gain on data to which it was not fitted.
 -- example: SELECT revision, rank, effects, method, gain, fitted_times_floor FROM effect_ranking ORDER BY revision, rank;
 CREATE VIEW effect_ranking AS
 SELECT experiment.name AS experiment, revision.number AS revision, candidate_model.rank,
@@ -159,7 +159,7 @@ JOIN revision ON revision.id = diagnosis.revision
 JOIN experiment ON experiment.id = revision.experiment
 WHERE diagnosis.id = (SELECT max(id) FROM diagnosis AS newer WHERE newer.revision = diagnosis.revision);
 
--- One row a stored time series: whose it is, its channels and its size.
+-- One row per stored time series: its trial or model, its channels and its size.
 -- example: SELECT trial, kind, revision, channels, sample_count, bytes FROM traces ORDER BY id;
 CREATE VIEW traces AS
 SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trace.kind, revision.number AS revision,
@@ -172,7 +172,7 @@ JOIN experiment ON experiment.id = trial.experiment
 LEFT JOIN comparison ON comparison.id = trace.comparison
 LEFT JOIN revision ON revision.id = comparison.revision;
 
--- One row a run of the algorithm (a replicate): how far it is, its best error, what it cost and how it ended.
+-- One row per run of the algorithm (a replicate): passes done, best error, cost, and how it ended.
 -- example: SELECT run, replicate, passes_done, best_score, ending FROM eea_runs ORDER BY run;
 CREATE VIEW eea_runs AS
 WITH last AS (
@@ -198,7 +198,7 @@ LEFT JOIN metric AS fitness ON fitness.id = eea_run.fitness
 LEFT JOIN last ON last.run = eea_run.run
 LEFT JOIN checkpoint ON checkpoint.run = eea_run.run;
 
--- One row a pass that has ended: the best model's error over all trials so far and what it took to find it.
+-- One row per finished pass: the error of the best model over all trials so far, and the cost to find it.
 -- example: SELECT run, pass, trials, error, evaluations_so_far FROM error_by_pass ORDER BY run, pass;
 CREATE VIEW error_by_pass AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass,
@@ -214,7 +214,7 @@ JOIN metric ON metric.id = eea_run.metric
 WHERE pass.ended
 WINDOW so_far AS (PARTITION BY pass.run ORDER BY pass.number);
 
--- One row a free value of the best model of a pass, beside the hidden truth of a simulated target.
+-- One row per free value of the best model of a pass, beside the hidden value of a simulated target.
 -- example: SELECT address, value, truth, unit FROM best_model WHERE pass = 2 ORDER BY run, position;
 CREATE VIEW best_model AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass,
@@ -228,7 +228,7 @@ JOIN model ON model.id = pass.best_model
 JOIN best_value ON best_value.pass = pass.id
 JOIN free_value ON free_value.run = pass.run AND free_value.position = best_value.position;
 
--- One row an address, or group of addresses, of the best model of a pass: how far it is from the hidden truth.
+-- One row per address, or group of addresses, of the best model of a pass: its error from the hidden value.
 -- example: SELECT pass, address, avg(error), unit FROM parameter_error_by_pass GROUP BY pass, address ORDER BY address, pass;
 CREATE VIEW parameter_error_by_pass AS
 SELECT experiment, run, replicate, pass, address, abs(error) AS error, unit
@@ -244,7 +244,7 @@ JOIN pass ON pass.id = objective_score.pass
 JOIN eea_run ON eea_run.run = pass.run
 JOIN experiment ON experiment.id = eea_run.experiment;
 
--- One row a free value of a model that a pass handed on, beside the hidden truth; the best of each structure and restart first.
+-- One row per free value of a model that a pass carried over to the next, beside the hidden value; the best of each structure and restart first.
 -- example: SELECT pass, rank, structure, address, value, truth, unit FROM ensembles WHERE pass = 2 ORDER BY run, rank, position;
 CREATE VIEW ensembles AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, ensemble_model.rank,
@@ -257,7 +257,7 @@ JOIN experiment ON experiment.id = eea_run.experiment
 LEFT JOIN ensemble_value ON ensemble_value.pass = ensemble_model.pass AND ensemble_value.rank = ensemble_model.rank
 LEFT JOIN free_value ON free_value.run = pass.run AND free_value.position = ensemble_value.position;
 
--- One row a trial that a run carried out: how well the best model so far foretold it, and in how many passes it was set aside.
+-- One row per trial that a run carried out: the prediction error of the best model before the trial, and the number of passes in which the trial was set aside.
 -- example: SELECT run, trial, surprise, metric, passes_set_aside FROM foretold ORDER BY run, trial;
 CREATE VIEW foretold AS
 SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, target_trial.number AS trial,
@@ -269,7 +269,7 @@ JOIN eea_run ON eea_run.run = target_trial.run
 JOIN experiment ON experiment.id = eea_run.experiment
 JOIN metric ON metric.id = eea_run.metric;
 
--- One row a test that was carried out on the target: what the models that chose it predicted, and what the target did.
+-- One row per test that was carried out on the target: the result that the models predicted when they chose it, and the target's result.
 -- example: SELECT run, pass, predicted, measured, gap FROM transfer_gap ORDER BY run, trial;
 CREATE VIEW transfer_gap AS
 SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, pass.number AS pass,
@@ -284,7 +284,7 @@ JOIN pass ON pass.id = test.pass
 LEFT JOIN metric AS fitness ON fitness.id = eea_run.fitness
 WHERE predicted_fitness IS NOT NULL;
 
--- One row a pass that has ended: how many evaluations it asked for, how many of them were cut short or known, and their steps.
+-- One row per finished pass: number of evaluations, how many of them were cut short or reused, and their steps.
 -- example: SELECT run, pass, evaluations, abandoned, reused, steps FROM evaluations ORDER BY run, pass;
 CREATE VIEW evaluations AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, evaluations, abandoned, reused,
@@ -294,7 +294,7 @@ JOIN eea_run ON eea_run.run = pass.run
 JOIN experiment ON experiment.id = eea_run.experiment
 WHERE ended;
 
--- One row a model or test that could not be scored, and why.
+-- One row per model or test that could not be scored, with the reason.
 -- example: SELECT run, kind, reason, count(*) AS times FROM invalid_evaluations GROUP BY run, kind, reason ORDER BY times DESC;
 CREATE VIEW invalid_evaluations AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, failed.generation, failed.kind,
@@ -308,7 +308,7 @@ JOIN pass ON pass.id = failed.pass
 JOIN eea_run ON eea_run.run = pass.run
 JOIN experiment ON experiment.id = eea_run.experiment;
 
--- One row a test that a target did not carry out, and why; nothing was measured.
+-- One row per test that a target failed to carry out, with the reason; nothing was measured.
 -- example: SELECT trial, failed, reason FROM failed_trials ORDER BY failed;
 CREATE VIEW failed_trials AS
 SELECT experiment.name AS experiment, failed_trial.run, failed_trial.trial, failed_trial.test, failed_trial.failed,

@@ -34,7 +34,7 @@ constexpr double kLongest = 1e9;                // s, which a clock that counts 
 /// Two ends of a pipe that no other child inherits.
 std::array<int, 2> make_pipe() {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(fmt::format("cannot be spoken to: {}", strerror(errno)));
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(fmt::format("cannot be connected: {}", strerror(errno)));
   return ends;
 }
 
@@ -71,7 +71,7 @@ ChildLines::Clock::time_point ChildLines::in(double seconds) {
 
 ChildLines::ChildLines(const ProcessSource& source) : errors_("standard error") {
   if (files_are_limited())
-    throw Error("is not started for an agent (lacuna mcp); carry the test out yourself: lacuna trial");
+    throw Error("an agent may not start it (lacuna mcp); carry out the test yourself: lacuna trial");
   std::array<int, 2> input = make_pipe(), output = {-1, -1};
   try {
     output = make_pipe();
@@ -161,7 +161,7 @@ void ChildLines::read_some() {
   else
     received_.append(block.data(), static_cast<std::size_t>(got));
   if (received_.size() > kMostUnread)
-    throw Error(fmt::format("sends {} of more than {} MiB, which begins with {}",
+    throw Error(fmt::format("sent {} of more than {} MiB, which begins with {}",
                             received_.find('\n') == std::string::npos ? "a line" : "an answer", kMostUnread >> 20U,
                             quoted_text(received_)));
 }
@@ -183,9 +183,9 @@ bool ChildLines::take_line(std::string& line) {
 }
 
 void ChildLines::throw_lateness(bool reads_nothing) const {
-  if (reads_nothing) throw TookTooLong("does not read what it is sent");
-  if (received_.empty()) throw TookTooLong("has not answered in time");
-  throw TookTooLong(fmt::format("has not ended its line in time, {} so far", quoted_text(received_)));
+  if (reads_nothing) throw TookTooLong("does not read its standard input");
+  if (received_.empty()) throw TookTooLong("did not answer in time");
+  throw TookTooLong(fmt::format("did not finish its line in time, {} so far", quoted_text(received_)));
 }
 
 void ChildLines::throw_ending() {

@@ -43,7 +43,9 @@ Conversation::Conversation(ChildLines& lines, const Hello& hello, const TestSpac
 
 Trial Conversation::carry_out(const Test& test) {
   if (!is_at_rest(test.start))
-    throw RefusedTest("starts where it stands, and the test asks for another start; leave the start out of the test");
+    throw RefusedTest(
+        "starts from its present state, but the test has another initial state; leave the initial state out of the "
+        "test");
   if (const auto* series = std::get_if<CommandSeries>(&test.drive)) {
     const CommandSeries ordered = until(order_.of_target(*series), heading_.duration);
     check_limits(ordered, hello_);
@@ -53,7 +55,7 @@ Trial Conversation::carry_out(const Test& test) {
   }
   if (!hello_.exchanges)
     throw RefusedTest(
-        "takes whole command series only, and the test is a controller; set test.encoding = \"command_series\"");
+        "takes only whole command series, but the test is a controller; set test.encoding = \"command_series\"");
   const Controller& controller = *std::get<std::shared_ptr<const Controller>>(test.drive);
   std::vector<double> state(static_cast<std::size_t>(controller.state_size()), 0.0);
   std::vector<double> seen(space_.sensors.size()), wanted(space_.actuators.size());
@@ -61,7 +63,8 @@ Trial Conversation::carry_out(const Test& test) {
     order_.readings_of_model(now.sensors, seen);
     for (std::size_t c = 0; c < seen.size(); ++c)
       if (std::isnan(seen[c]))
-        throw Error(fmt::format("sends null for \"{}\", which the test's controller reads", space_.sensors[c].name));
+        throw Error(
+            fmt::format("sent null for \"{}\", which the controller of the test reads", space_.sensors[c].name));
     controller.act(now.time, seen, state, wanted);
     order_.commands_of_target(wanted, commands);
   });
@@ -118,18 +121,19 @@ Readings Conversation::next_readings(std::size_t period, double before) {
   Readings readings = read_readings(lines_.receive(until_), hello_, heading_.id);
   const double due = static_cast<double>(period) * heading_.period;
   if (readings.time > before && std::abs(readings.time - due) <= kJitter * heading_.period) return readings;
-  throw Error(fmt::format(
-      "is out of step: readings {} of the test are due at {:.4g} s, it sends those of {:.4g} s; if it cannot keep a "
-      "control period of {:.4g} s, lengthen engine.control_period",
-      period, due, readings.time, heading_.period));
+  throw Error(
+      fmt::format("is out of step: readings {} of the test are due at {:.4g} s, but it sent those of {:.4g} s; if it "
+                  "cannot keep a control period of {:.4g} s, lengthen engine.control_period",
+                  period, due, readings.time, heading_.period));
 }
 
 void Conversation::clip(std::vector<double>& commands) {
   for (std::size_t a = 0; a < commands.size(); ++a) {
     const TargetActuator& actuator = hello_.actuators[a];
     if (!std::isfinite(commands[a]))
-      throw Error(fmt::format("was to be sent a command of \"{}\" that is no number; the controller is at fault",
-                              actuator.name));
+      throw Error(
+          fmt::format("was not sent a command of \"{}\", because it is not a number; this is a fault of the controller",
+                      actuator.name));
     const double within = std::clamp(commands[a], actuator.lower, actuator.upper);
     if (within != commands[a]) ++clipped_[a];
     commands[a] = within;

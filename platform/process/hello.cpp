@@ -26,7 +26,7 @@ class Part {
  public:
   Part(const Json& json, const std::string& where, JsonMessage& message)
       : json_(json), where_(where), message_(message) {
-    if (!json.is_object()) fault("is no object");
+    if (!json.is_object()) fault("is not an object");
   }
 
   std::string text(const char* name) {
@@ -47,7 +47,7 @@ class Part {
   double factor_of(const std::string& unit) {
     if (unit.empty()) return 1.0;
     if (const std::optional<Unit> known = parse_unit(unit)) return known->to_si;
-    fault(fmt::format("has {} for a unit; known are {}", quoted_text(unit), known_units()));
+    fault(fmt::format("has the unknown unit {}; known units are {}", quoted_text(unit), known_units()));
     return 1.0;
   }
 
@@ -67,7 +67,7 @@ TargetSensor read_sensor(Part part) {
   const double lower = part.number("lower", false) * sensor.to_si, upper = part.number("upper", false) * sensor.to_si;
   if (!std::isnan(lower)) sensor.lower = lower;
   if (!std::isnan(upper)) sensor.upper = upper;
-  if (sensor.lower >= sensor.upper) part.fault("has a \"lower\" reading that is not below the \"upper\" one");
+  if (sensor.lower >= sensor.upper) part.fault("has a \"lower\" reading that is not below its \"upper\" reading");
   return sensor;
 }
 
@@ -78,7 +78,7 @@ TargetActuator read_actuator(Part part) {
   actuator.sent_upper = part.number("upper", true);
   actuator.lower = actuator.sent_lower * actuator.to_si;
   actuator.upper = actuator.sent_upper * actuator.to_si;
-  if (actuator.lower >= actuator.upper) part.fault("has a \"lower\" limit that is not below the \"upper\" one");
+  if (actuator.lower >= actuator.upper) part.fault("has a \"lower\" limit that is not below its \"upper\" limit");
   return actuator;
 }
 
@@ -88,14 +88,14 @@ std::vector<Described> read_list(JsonMessage& message, const std::string& name, 
   const Json* list = message.need(name, "a list of objects");
   if (list == nullptr) return channels;
   if (!list->is_array()) {
-    message.add_fault(fmt::format("\"{}\" is no list", name));
+    message.add_fault(fmt::format("\"{}\" is not a list", name));
     return channels;
   }
   for (std::size_t i = 0; i < list->size(); ++i) {
     channels.push_back(read(Part((*list)[i], fmt::format("{}[{}]", name, i), message)));
     const auto same = [&](const Described& other) { return other.name == channels.back().name; };
     if (std::count_if(channels.begin(), channels.end(), same) > 1 && !channels.back().name.empty())
-      message.add_fault(fmt::format("{}[{}] is another {}", name, i, quoted_text(channels.back().name)));
+      message.add_fault(fmt::format("{}[{}] repeats the name {}", name, i, quoted_text(channels.back().name)));
   }
   return channels;
 }
@@ -134,16 +134,17 @@ const Described* counterpart(const std::vector<Described>& channels, const Chann
   const Described* found = find_channel(channels, wanted.name);
   if (found == nullptr) {
     const std::vector<std::string> names = names_of(channels);
-    complaints.push_back(fmt::format(
-        "the model has the {0} \"{1}\", the target has none of that name{2}; its {0}s are {3}", noun, wanted.name,
-        did_you_mean(wanted.name, names), names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    complaints.push_back(
+        fmt::format("the model has the {0} \"{1}\", which the target does not have{2}; the target's {0}s are {3}", noun,
+                    wanted.name, did_you_mean(wanted.name, names),
+                    names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     return found;
   }
   const std::optional<Unit> own = parse_unit(found->unit), models = parse_unit(wanted.unit);
   if (own && models && !own->same_dimension(*models)) {
-    complaints.push_back(fmt::format(
-        "the target's {} \"{}\" is in {}, the model's in {}; correct the unit that the program states, or the model",
-        noun, wanted.name, found->unit, wanted.unit));
+    complaints.push_back(
+        fmt::format("the target's {} \"{}\" is in {}, the model's in {}; correct the unit in the program, or the model",
+                    noun, wanted.name, found->unit, wanted.unit));
     return nullptr;
   }
   return found;
@@ -187,10 +188,11 @@ std::vector<std::string> misfits(const Hello& hello, const TestSpace& space) {
       compare_limits(*actuator, space, a, complaints);
   for (const TargetActuator& actuator : hello.actuators)
     if (find_channel(space.actuators, actuator.name) == nullptr)
-      complaints.push_back(fmt::format(
-          "the target has the actuator \"{}\", which the model has not and nobody would command; add it to the model's "
-          "robot",
-          actuator.name));
+      complaints.push_back(
+          fmt::format("the target has the actuator \"{}\", which the model does not have, so it would get no commands; "
+                      "add it to the model's "
+                      "robot",
+                      actuator.name));
   return complaints;
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLongestReason = 500;  // bytes, of what a program says in an error
 
 constexpr const char* kOnlyMessages =
-    "; its standard output is for messages alone, each a JSON object on a line of its own, all else belongs on "
+    "; its standard output may contain only messages, each a JSON object on a separate line; write everything else to "
     "standard error";
 
 /// Python and others write these where a number is none; JSON knows them not.
@@ -36,17 +36,17 @@ bool has_too_large_number(const std::string& line) {
 
 nlohmann::json parsed(const std::string& line) {
   if (nests_too_deep(line))
-    throw Error(fmt::format("sends a line that nests arrays and objects more than {} levels deep, {}", kDeepestJson,
+    throw Error(fmt::format("sent a line that nests arrays and objects more than {} levels deep, {}", kDeepestJson,
                             quoted_text(line)) +
                 kOnlyMessages);
   nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (json.is_discarded() && has_no_number(line))
-    throw Error("sends NaN or Infinity, " + quoted_text(line) +
-                "; find out why it is none, and send null for a reading that is missing");
+    throw Error("sent NaN or Infinity, " + quoted_text(line) +
+                "; correct this value, and send null for a missing reading");
   if (json.is_discarded() && has_too_large_number(line))
-    throw Error("sends a number that is too large for a double, " + quoted_text(line) +
-                "; send null for a reading that is missing");
-  if (!json.is_object()) throw Error("sends a line that is no JSON object, " + quoted_text(line) + kOnlyMessages);
+    throw Error("sent a number that is too large for a double, " + quoted_text(line) +
+                "; send null for a missing reading");
+  if (!json.is_object()) throw Error("sent a line that is not a JSON object, " + quoted_text(line) + kOnlyMessages);
   return json;
 }
 
@@ -61,7 +61,7 @@ JsonMessage::JsonMessage(const std::string& line, const std::string& type, std::
     : type_(type), json_(parsed(line)) {
   if (id) check_id(*id);
   const nlohmann::json* own = find("type");
-  if (own == nullptr || !own->is_string()) throw Error("sends a message without \"type\", " + quoted_text(line));
+  if (own == nullptr || !own->is_string()) throw Error("sent a message without \"type\", " + quoted_text(line));
   const std::string given = own->get<std::string>();
   if (given == "error") {
     const nlohmann::json* message = find("message");
@@ -69,7 +69,7 @@ JsonMessage::JsonMessage(const std::string& line, const std::string& type, std::
     throw RefusedTest("says: " + plain_text(reason, kLongestReason));
   }
   if (given != type)
-    throw Error(fmt::format("sends a message of type {} where one of type \"{}\" is due", quoted_text(given), type));
+    throw Error(fmt::format("sent a message of type {} instead of type \"{}\"", quoted_text(given), type));
   if (id && find("id") == nullptr)
     add_fault(R"("id" is missing, the number of the test; repeat the "id" of the test's message in each answer to it)");
 }
@@ -78,8 +78,7 @@ void JsonMessage::check_id(std::uint64_t id) {
   const nlohmann::json* given = find("id");
   if (given == nullptr || *given == id) return;
   throw Error(fmt::format(
-      "answers the test with \"id\" {} where an answer to that with {} is due; each test is answered once, before the "
-      "next one, and the answer repeats the test's \"id\"",
+      "answered with \"id\" {} instead of {}; answer each test once, before the next one, and repeat the test's \"id\"",
       quoted_text(given->dump()), id));
 }
 
@@ -112,7 +111,7 @@ double JsonMessage::number(const std::string& name, const std::string& meaning) 
 
 void JsonMessage::throw_if_faulty() const {
   if (faults_.empty()) return;
-  throw Error(fmt::format("sends a wrong message of type \"{}\": {}", type_, fmt::join(faults_, "; ")));
+  throw Error(fmt::format("sent a wrong message of type \"{}\": {}", type_, fmt::join(faults_, "; ")));
 }
 
 }  // namespace lacuna

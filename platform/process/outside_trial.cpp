@@ -81,7 +81,7 @@ void ChannelOrder::check_readings(double time, std::span<const double> readings)
     const bool below = reading < sensor.lower - rounding_of(sensor.lower);
     const bool above = reading > sensor.upper + rounding_of(sensor.upper);
     if (!below && !above) continue;
-    throw Error(fmt::format("sends {:.4g} {} for \"{}\" at {:.4g} s, which that sensor cannot read: its {} is {:.4g}",
+    throw Error(fmt::format("sent {:.4g} {} for \"{}\" at {:.4g} s, outside the range of this sensor: its {} is {:.4g}",
                             reading / sensor.to_si, sensor.unit, sensor.name, time, below ? "least" : "most",
                             (below ? sensor.lower : sensor.upper) / sensor.to_si));
   }
@@ -140,11 +140,10 @@ void check_limits(const CommandSeries& commands, const Hello& hello) {
     if (column.allFinite() && column.minCoeff() >= actuator.lower - slack &&
         column.maxCoeff() <= actuator.upper + slack)
       continue;
-    throw RefusedTest(
-        fmt::format("takes {3:.4g} to {4:.4g} {5} of \"{0}\", the test has {1:.4g} to {2:.4g}; nothing was "
-                    "sent to it",
-                    actuator.name, column.minCoeff() / actuator.to_si, column.maxCoeff() / actuator.to_si,
-                    actuator.lower / actuator.to_si, actuator.upper / actuator.to_si, actuator.unit));
+    throw RefusedTest(fmt::format(
+        "accepts {3:.4g} to {4:.4g} {5} for \"{0}\", but the test has {1:.4g} to {2:.4g}; nothing was sent to it",
+        actuator.name, column.minCoeff() / actuator.to_si, column.maxCoeff() / actuator.to_si,
+        actuator.lower / actuator.to_si, actuator.upper / actuator.to_si, actuator.unit));
   }
 }
 
@@ -155,19 +154,20 @@ void check_extent(Samples& samples, const TestHeading& heading) {
   samples.times.conservativeResize(rows);
   samples.values.conservativeResize(rows, Eigen::NoChange);
   if (rows < 2)
-    throw Error(fmt::format("sends {} of the test's {:.4g} s; two are the least",
+    throw Error(fmt::format("sent only {} of the test's {:.4g} s; at least two are needed",
                             counted(static_cast<std::size_t>(rows), "sample"), heading.duration));
   const double gap = std::max(kGaps * median_interval(samples.times), heading.period) * (1.0 + kRounding);
   const double first = samples.times[0], last = samples.times[rows - 1];
   if (first < -kRounding || first > gap || last < heading.duration - gap)
-    throw Error(fmt::format("sends too few samples: they go from {:.4g} s to {:.4g} s, the test from 0 to {:.4g} s",
-                            first, last, heading.duration));
+    throw Error(
+        fmt::format("sent too few samples: they cover {:.4g} s to {:.4g} s, but the test lasts from 0 to {:.4g} s",
+                    first, last, heading.duration));
 }
 
 void check_measured(const TimeSeries& measured) {
   for (std::size_t c = 0; c < measured.channels.size(); ++c)
     if (measured.samples.col(static_cast<Eigen::Index>(c)).array().isNaN().all())
-      throw Error(fmt::format("sends no reading of \"{}\", null in every row", measured.channels[c].name));
+      throw Error(fmt::format("sent no reading of \"{}\": null in every row", measured.channels[c].name));
 }
 
 std::vector<InitialValue> initial_values(const JointStarts& start, const std::vector<std::string>& coordinates) {
@@ -175,9 +175,9 @@ std::vector<InitialValue> initial_values(const JointStarts& start, const std::ve
   if (start.empty()) return values;
   for (const auto& [joint, known] : start)
     if (std::find(coordinates.begin(), coordinates.end(), joint) == coordinates.end())
-      throw Error(fmt::format("states the start of {}, which is no joint of the model with one coordinate; it has {}",
-                              quoted_text(joint),
-                              coordinates.empty() ? "none" : fmt::format("{}", fmt::join(coordinates, ", "))));
+      throw Error(fmt::format(
+          "stated the initial state of {}, which is not a joint of the model with one coordinate; such joints are {}",
+          quoted_text(joint), coordinates.empty() ? "none" : fmt::format("{}", fmt::join(coordinates, ", "))));
   for (const std::string& joint : coordinates) {
     const auto known = start.find(joint);
     values.push_back(known == start.end()
@@ -190,10 +190,10 @@ std::vector<InitialValue> initial_values(const JointStarts& start, const std::ve
 void begin_at_start(TimeSeries& measured) {
   const double first = measured.times[0];
   if (first < -kRounding)
-    throw Error(fmt::format(
-        "states its start, which is that at 0 s, and sends readings of {:.4g} s; let times begin with the test, or "
-        "leave the start out",
-        first));
+    throw Error(
+        fmt::format("stated its initial state at 0 s, but its readings begin at {:.4g} s; begin the times with the "
+                    "test, or leave out the initial state",
+                    first));
   if (first <= kRounding) return;
   const Eigen::Index rows = measured.times.size();
   Eigen::VectorXd times(rows + 1);

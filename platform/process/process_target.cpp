@@ -69,12 +69,12 @@ Trial ProcessTarget::carry_out(const Test& test) {
 void ProcessTarget::fail(const std::string& what) {
   const std::string words = lines_ ? lines_->last_words() : "";
   lines_.reset();
-  throw Error(program_ + " " + what + (words.empty() ? "" : "; its last words on standard error:\n" + words));
+  throw Error(program_ + " " + what + (words.empty() ? "" : "; its last lines on standard error:\n" + words));
 }
 
 void ProcessTarget::start() {
   if (lines_ && lines_->has_ended()) {
-    if (setting_.note) setting_.note(program_ + " has ended since its last trial and is started again");
+    if (setting_.note) setting_.note(program_ + " has ended since its last trial; it is started again");
     lines_.reset();
   }
   if (lines_) return;
@@ -82,7 +82,7 @@ void ProcessTarget::start() {
     start_afresh();
   } catch (const BadInput& bad) {
     if (!was_fit_) throw;
-    throw Error(program_ + " was started again, and is not as it was: " + bad.what());
+    throw Error(program_ + " was started again and has changed: " + bad.what());
   }
   was_fit_ = true;
 }
@@ -92,9 +92,9 @@ void ProcessTarget::start_afresh() {
   try {
     lines_ = std::make_unique<ChildLines>(setting_.source);
   } catch (const Error& error) {
-    throw_problem(setting_.location, fmt::format("target.command: {}; name a program, with its path from target.folder "
-                                                 "or one that is in PATH",
-                                                 error.what()));
+    throw_problem(
+        setting_.location,
+        fmt::format("target.command: {}; name a program in PATH, or its path relative to target.folder", error.what()));
   }
   try {
     guarded(fmt::format("target.start_limit, {:.4g} s", setting_.source.start_limit), [&] { greet(); });
@@ -115,8 +115,7 @@ void ProcessTarget::greet() {
 
 Trial ProcessTarget::try_test(const Test& test) {
   if (const std::string line = lines_->unasked(); !line.empty())
-    throw Error("sends a line that nobody asked for, " + quoted_text(line) +
-                "; each test is answered once, before the next one");
+    throw Error("sent an unexpected line, " + quoted_text(line) + "; answer each test once, before the next one");
   TestHeading heading;
   heading.id = ++sent_;
   heading.trial = number_;

@@ -62,21 +62,21 @@ JointStarts read_start(JsonMessage& message) {
   }
   if (!good)
     message.add_fault(
-        R"("start" is no object of joints such as {"hinge": {"position": 0.1, "velocity": 0}}, in rad or m)");
+        R"("start" is not an object of joints such as {"hinge": {"position": 0.1, "velocity": 0}}, in rad or m)");
   return start;
 }
 
 /// Times that grow.
 Eigen::VectorXd read_times(const Json& json, JsonMessage& message) {
   if (!json.is_array() || json.empty() || !is_list_of_numbers(json, json.size(), false)) {
-    message.add_fault("\"times\" is no list of numbers, s");
+    message.add_fault("\"times\" is not a list of numbers, s");
     return {};
   }
   Eigen::VectorXd times(static_cast<Eigen::Index>(json.size()));
   for (std::size_t i = 0; i < json.size(); ++i) times[static_cast<Eigen::Index>(i)] = json[i].get<double>();
   for (Eigen::Index i = 1; i < times.size(); ++i)
     if (!(times[i] > times[i - 1])) {
-      message.add_fault(fmt::format("\"times\" do not grow: {} follows {}", times[i], times[i - 1]));
+      message.add_fault(fmt::format("\"times\" do not increase: {} follows {}", times[i], times[i - 1]));
       break;
     }
   return times;
@@ -88,13 +88,13 @@ TimeSeries::Samples read_rows(const Json& json, const Eigen::VectorXd& times, co
   const std::size_t sensors = hello.sensors.size();
   TimeSeries::Samples rows(times.size(), static_cast<Eigen::Index>(sensors));
   if (!json.is_array() || json.size() != static_cast<std::size_t>(times.size())) {
-    message.add_fault(fmt::format("\"samples\" is no list of {} rows, one a time", times.size()));
+    message.add_fault(fmt::format("\"samples\" is not a list of {} rows, one per time", times.size()));
     return rows;
   }
   for (Eigen::Index row = 0; row < rows.rows(); ++row) {
     const Json& line = json[static_cast<std::size_t>(row)];
     if (!is_list_of_numbers(line, sensors, true)) {
-      message.add_fault(fmt::format("\"samples\"[{}] is no list of {}, one a sensor: {}", row,
+      message.add_fault(fmt::format("\"samples\"[{}] is not a list of {}, one per sensor: {}", row,
                                     counted(sensors, "number"), quoted_text(line.dump())));
       return rows;
     }
@@ -128,7 +128,7 @@ Readings read_readings(const std::string& line, const Hello& hello, std::uint64_
   JsonMessage message(line, "readings", id);
   Readings readings;
   readings.time = message.number("time", "a number, s");
-  const std::string meaning = fmt::format("a list of {} numbers, one a sensor", hello.sensors.size());
+  const std::string meaning = fmt::format("a list of {} numbers, one per sensor", hello.sensors.size());
   const Json* sensors = message.need("sensors", meaning);
   if (sensors != nullptr && is_list_of_numbers(*sensors, hello.sensors.size(), true))
     readings.sensors = si_of(*sensors, hello);
@@ -143,7 +143,7 @@ Samples read_samples(const std::string& line, const Hello& hello, std::uint64_t 
   JsonMessage message(line, "samples", id);
   Samples samples;
   const Json* times = message.need("times", "a list of numbers, s");
-  const Json* rows = message.need("samples", "a list of rows, one a time");
+  const Json* rows = message.need("samples", "a list of rows, one per time");
   if (times != nullptr) samples.times = read_times(*times, message);
   if (rows != nullptr && samples.times.size() > 0) samples.values = read_rows(*rows, samples.times, hello, message);
   samples.start = read_start(message);

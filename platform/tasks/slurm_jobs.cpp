@@ -39,14 +39,13 @@ std::string submit(std::vector<std::string> words) {
       {.words = words, .folder = {}, .environment = {}, .output = output.file(), .errors = errors.file()});
   const auto ended = sbatch.ended_within(kLongestSubmission);
   if (!ended)
-    throw Error(
-        fmt::format("`{}` did not answer within {:g} s; is Slurm's controller up?", command, kLongestSubmission));
-  if (ended->code() == kNoSuchProgram)
-    throw Error("sbatch is not to be found; --executor slurm works where Slurm's commands are installed");
+    throw Error(fmt::format("`{}` did not answer within {:g} s; check that Slurm's controller is running", command,
+                            kLongestSubmission));
+  if (ended->code() == kNoSuchProgram) throw Error("sbatch was not found; --executor slurm needs Slurm's commands");
   if (ended->code() != 0) throw Error(fmt::format("`{}` {}: {}", command, ended->phrase(), errors.end()));
   const std::string answer = output.end(), number = answer.substr(0, answer.find_first_of(";\n"));
   if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
-    throw Error(fmt::format("`{}` did not answer with the number of a job but: {}", command, plain_text(answer)));
+    throw Error(fmt::format("`{}` answered without the number of a job: {}", command, plain_text(answer)));
   return number;
 }
 

@@ -24,16 +24,16 @@ std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& da
   const Database opened = Database::open_read_only(database);
   if (expected == TaskDatabase::checkpoint) require_sound_pages(opened);
   const RunsOfTask runs = runs_of_task(opened, task.id);
-  if (runs.has_others) return TaskDatabaseFault{"holds other results than those of the task"};
-  if (!runs.has_begun && expected == TaskDatabase::shard) return TaskDatabaseFault{"holds no results of the task"};
-  if (expected == TaskDatabase::shard && !runs.is_done) return TaskDatabaseFault{"does not hold the end of the task"};
+  if (runs.has_others) return TaskDatabaseFault{"contains results of another task"};
+  if (!runs.has_begun && expected == TaskDatabase::shard) return TaskDatabaseFault{"contains no results of the task"};
+  if (expected == TaskDatabase::shard && !runs.is_done) return TaskDatabaseFault{"contains an unfinished task"};
   return std::nullopt;
 } catch (const Interrupted&) {
   throw;
 } catch (const DamagedDatabase&) {
   return TaskDatabaseFault{"is damaged"};
 } catch (const BadInput&) {
-  return TaskDatabaseFault{"is not a database of Lacuna"};
+  return TaskDatabaseFault{"is not a Lacuna database"};
 } catch (const Error& unusable) {
   return TaskDatabaseFault{without_name(reason_of(unusable), database), false};
 }

@@ -61,7 +61,7 @@ void make_folders(const fs::path& folder) {
     if (failure) break;
     fs::create_directories(folder / name, failure);
   }
-  if (failure) throw_problem({folder.string()}, "cannot be made: " + failure.message());
+  if (failure) throw_problem({folder.string()}, "cannot be created: " + failure.message());
 }
 
 /// Makes now, by the clock of the file system, which all machines share, the time of its last change.
@@ -112,7 +112,7 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
   if (fs::exists(file)) {
     TaskFolder there(folder);
     if (ids_of(there.plan()) != ids_of(plan))
-      throw_problem({folder.string()}, "has another plan already; move that folder away, or plan into another one");
+      throw_problem({folder.string()}, "already contains another plan; move this folder away, or name another one");
     if (text_of_plan(there.plan()) == text_of_plan(plan)) return there;
     write_whole(file, text_of_plan(plan), Link::replaced);  // the same tasks, whose files have moved
     return TaskFolder(folder);
@@ -120,7 +120,7 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
   if (folder.empty()) throw_problem({}, "--out is empty; name a new folder");
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw_problem({folder.string()}, "is a file; name a new folder with --out");
-  if (has_other_files(folder)) throw_problem({folder.string()}, "has other files in it; name a new folder with --out");
+  if (has_other_files(folder)) throw_problem({folder.string()}, "contains other files; name a new folder with --out");
   check_found(folder, plan);
   make_folders(folder);
   write_whole(file, text_of_plan(plan), Link::replaced);
@@ -131,7 +131,7 @@ TaskFolder::TaskFolder(const fs::path& folder) : folder_(folder) {
   const fs::path file = folder / "plan.json";
   if (!fs::is_regular_file(file))
     throw_problem({folder.empty() ? "the empty name" : folder.string()},
-                  "is not the folder of a plan; `lacuna plan` makes one");
+                  "is not the folder of a plan; make one with `lacuna plan`");
   plan_ = read_plan(bytes_of(file), file);
 }
 

@@ -37,7 +37,7 @@ Json json_of(const Task& task) {
 template <class Number>
 Number whole(const Json& json) {
   if (!json.is_number_unsigned() || !std::in_range<Number>(json.get<std::uint64_t>()))
-    throw Error(fmt::format("has {} where a whole number belongs", json.dump()));
+    throw Error(fmt::format("has {} instead of a whole number", json.dump()));
   return json.get<Number>();
 }
 
@@ -102,7 +102,7 @@ std::string text_of_plan(const TaskPlan& plan) {
   try {
     return json.dump(1) + "\n";
   } catch (const Json::exception&) {
-    throw Error("a file's name or a setting is not UTF-8, which plans are written in; rename it, or write it so");
+    throw Error("a file name or a setting is not UTF-8, as plans need it; rename or rewrite it");
   }
 }
 
@@ -111,14 +111,13 @@ TaskPlan read_plan(const std::string& text, const std::filesystem::path& file) t
   check_tasks(plan);
   return plan;
 } catch (const Json::exception&) {
-  throw_problem(
-      {file.string()},
-      "is not a plan of `lacuna plan`, or is damaged; put a copy back, or remove it and make the plan anew there: "
-      "what its tasks have found stays");
+  throw_problem({file.string()},
+                "is not a plan of `lacuna plan`, or is damaged; restore a copy, or remove it and make the plan again "
+                "there: the results of its tasks stay");
 } catch (const BadInput&) {
   throw;
 } catch (const Error& wrong) {
-  throw_problem({file.string()}, fmt::format("{}; make the plan anew with `lacuna plan`", wrong.what()));
+  throw_problem({file.string()}, fmt::format("{}; make the plan again with `lacuna plan`", wrong.what()));
 }
 
 std::vector<std::string> changed_inputs(const TaskPlan& plan, const Task& task) {
@@ -128,7 +127,7 @@ std::vector<std::string> changed_inputs(const TaskPlan& plan, const Task& task) 
     try {
       if (sha256_of_file(input.file) != input.sha256)
         changed.push_back((input.file == kThisProgram ? "this program" : input.file.string()) +
-                          " is not as it was when the plan was made");
+                          " has changed since the plan was made");
     } catch (const Error& unreadable) {
       changed.emplace_back(unreadable.what());
     }

@@ -115,7 +115,7 @@ def _series(query: Query, number: Optional[int]) -> _Series:
     samples = _content(query, number, "samples", row["samples"])
     if _digest(row, times, samples) != row["digest"]:
         raise CommandFailedError(
-            f"time series {number}: is damaged, its bytes do not match its digest; restore a copy of the database"
+            f"time series {number}: is damaged, its bytes do not match its digest; restore a backup of the database"
         )
     channels = json.loads(row["channels"])
     columns = columns_of(samples, row["precision"], max(len(channels), 1))

@@ -169,8 +169,9 @@ TEST(RunSupervised, AKillIsNotCalledThePluginsFault) {
   });
   kill(supervisor.worker(), SIGKILL);
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
-  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"slow\": add_loads: the program was ended by signal 9"),
-                                         HasSubstr("another program ended it"), Not(HasSubstr("fault of the plugin"))));
+  EXPECT_THAT(supervisor.errors(),
+              AllOf(HasSubstr("effect \"slow\": add_loads: the program was ended by signal 9"),
+                    HasSubstr("another program killed it"), Not(HasSubstr("fault of the plugin"))));
 }
 
 TEST(RunSupervised, ASignalToTheSupervisorReachesTheWork) {
@@ -348,7 +349,7 @@ TEST(RunSupervised, WhatGoodWorkHasLeftRunningIsEndedAndNamed) {
   const pid_t helper = supervisor.worker();
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 0) << "the work is done all the same";
   EXPECT_NE(kill(helper, 0), 0) << "it is gone";
-  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("ended what this command had left running"),
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("ended processes that were still running after the command"),
                                          HasSubstr("\"/bin/sleep 1000\" (process " + std::to_string(helper))));
 }
 

@@ -24,7 +24,7 @@ TEST(WorkerBench, IsRefusedWhereAFileIsNotTheHosts) {
   task.text = text;
   task.files = {std::string(64, '0')};
   EXPECT_THAT([&] { open_worker_bench(task); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("was changed since the run began")));
+              testing::ThrowsMessage<Error>(testing::HasSubstr("has changed since the run began")));
 }
 
 }  // namespace

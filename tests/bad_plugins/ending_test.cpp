@@ -156,7 +156,7 @@ TEST_F(HostileEffectInARun, GoesOnWithTheMendedPluginByTheLineThatWasPrinted) {
   const Outcome refused = run("", "--resume");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("was begun with another build of " + plugin.string()),
-                                    HasSubstr("--accept-plugin hostile: the rows so far stay those of the old one")));
+                                    HasSubstr("--accept-plugin hostile: the rows so far stay from the old build")));
   std::smatch line;
   ASSERT_TRUE(std::regex_search(broken.errors, line, std::regex("then (lacuna .*) continues from here")));
   const Outcome mended = program_.shell(line[1].str());
@@ -226,7 +226,7 @@ TEST_F(HostilePlugin, IsLeftOutOfADiagnosisThatGoesOn) {
         lacuna(std::string("add_loads ") + deed, "diagnose first-steps.toml --evaluation-limit 2 --quiet");
     EXPECT_EQ(outcome.exit_code, 0) << deed << outcome.errors;
     EXPECT_THAT(outcome.errors,
-                AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("begins again without it")));
+                AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("starts again without it")));
     EXPECT_THAT(outcome.output, AllOf(HasSubstr("coulomb_friction"), HasSubstr("plugin failed: hostile"))) << deed;
   }
 }

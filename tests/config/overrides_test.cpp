@@ -48,7 +48,7 @@ TEST(Overrides, SayWhatIsWrongWithThem) {
   EXPECT_THAT(complaint_about("engine..step=3"), HasSubstr("a key is empty"));
   EXPECT_THAT(complaint_about("engine.step.x=3"), HasSubstr("\"x\" does not follow a table, but a number"));
   EXPECT_THAT(complaint_about("model.effects[1].id=b"), HasSubstr("there is no item [1]; the list has 1"));
-  EXPECT_THAT(complaint_about("model.effects[x]=b"), HasSubstr("an index is a number"));
+  EXPECT_THAT(complaint_about("model.effects[x]=b"), HasSubstr("write an index as a number"));
   EXPECT_THAT(complaint_about("engine[0]=b"), HasSubstr("[0] does not follow a list"));
   EXPECT_THAT(complaint_about("engine.step=\"x"), HasSubstr("is not a TOML value"));
   EXPECT_THAT(complaint_about("engine.step=1\nx = 2"), HasSubstr("is not a TOML value"));

@@ -68,7 +68,7 @@ TEST_F(Check, GivesProblemsAsLinesOfJsonToAProgramThatAsks) {
   EXPECT_THAT(problem["file"].get<std::string>(), testing::EndsWith("sine.csv"));
   EXPECT_EQ(problem["line"], 4);
   EXPECT_THAT(program_.shell("LACUNA_MESSAGES=yaml lacuna check first-steps.toml").errors,
-              HasSubstr("LACUNA_MESSAGES: \"yaml\" is no form of messages; set it to json or text"));
+              HasSubstr("LACUNA_MESSAGES: \"yaml\" is not a message format; set it to json or text"));
 }
 
 TEST_F(Check, NamesEveryBadPlaceOfEveryRecordingAtOnce) {

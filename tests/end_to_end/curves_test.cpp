@@ -31,7 +31,7 @@ TEST_F(CurvesCommand, SaysWhichRunsAreLeftOut) {
   run({"--set", "target.hidden_seed=3", "--replicates", "2"});
   const Outcome curves = program_.run({"curves", "small.db", "--error", "score"});
   ASSERT_EQ(curves.exit_code, 0) << curves.errors;
-  EXPECT_THAT(curves.errors, HasSubstr("1 run left out, begun with other settings than the newest"));
+  EXPECT_THAT(curves.errors, HasSubstr("1 run left out: other settings than the newest run"));
   EXPECT_THAT(curves.output, Not(HasSubstr("["))) << "two runs have no interval";
 }
 

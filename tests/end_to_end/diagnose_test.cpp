@@ -107,13 +107,13 @@ TEST(Diagnose, AddTakesTheAnswer) {
   const Outcome early = program.run({"add", "lifting-servo.toml", "--answer"});
   EXPECT_EQ(early.exit_code, 2);
   EXPECT_THAT(early.errors,
-              HasSubstr("no diagnosis of this model found an effect; lacuna diagnose lifting-servo.toml"));
+              HasSubstr("no diagnosis of this model has found an effect; run: lacuna diagnose lifting-servo.toml"));
   const Outcome found = program.run(
       {"diagnose", "lifting-servo.toml", "--among", "load_friction", "coulomb_friction", "viscous_friction"});
   ASSERT_EQ(found.exit_code, 0) << found.errors;
   const Outcome both = program.run({"add", "lifting-servo.toml", "coulomb_friction", "--answer"});
   EXPECT_EQ(both.exit_code, 2);
-  EXPECT_THAT(both.errors, HasSubstr("write no effect beside it"));
+  EXPECT_THAT(both.errors, HasSubstr("leave out the effect, --where"));
   const Outcome added = program.run({"add", "lifting-servo.toml", "--answer"});
   ASSERT_EQ(added.exit_code, 0) << added.errors;
   EXPECT_THAT(added.output, HasSubstr("load_friction starts at the values that the diagnosis found"));

@@ -70,7 +70,7 @@ TEST(Add, LeavesAFileAloneThatItsUserChangedDuringTheRefit) {
       },
       0);
   EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
-  EXPECT_THAT(outcome.errors, HasSubstr("first-steps.toml: was changed by someone else meanwhile"));
+  EXPECT_THAT(outcome.errors, HasSubstr("first-steps.toml: was changed by another program during this command"));
   expect_untouched(program, mine);
 }
 
@@ -204,7 +204,7 @@ TEST(Report, OfAnEditedTextIsRefused) {
   ASSERT_EQ(program.shell("sqlite3 first-steps.db \"UPDATE experiment_text SET text = text || ' '\"").exit_code, 0);
   const Outcome outcome = program.run({"report", "first-steps.db", "--out", "report.html", "--no-robots"});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
-  EXPECT_THAT(outcome.errors, HasSubstr("its digest is another one"));
+  EXPECT_THAT(outcome.errors, HasSubstr("its digest does not match"));
   EXPECT_FALSE(std::filesystem::exists(program.folder() / "report.html"));
 }
 

@@ -101,7 +101,7 @@ TEST(ExitCode, IsTwoForAnEffectThatThePlaceHasAlreadyUnlessTheSecondIsNamed) {
   const std::string once = program.read("first-steps.toml");
   const Outcome again = program.run(add);
   EXPECT_EQ(again.exit_code, kBadInput);
-  EXPECT_THAT(again.errors, HasSubstr("coulomb_friction: joint.hinge has one already"));
+  EXPECT_THAT(again.errors, HasSubstr("coulomb_friction: joint.hinge has this effect already"));
   EXPECT_EQ(program.read("first-steps.toml"), once);
   std::vector<std::string> named = add;
   named.insert(named.end(), {"--id", "seal", "--fixed", "torque"});
@@ -118,7 +118,7 @@ TEST(ExitCode, IsTwoWhereTheDatabaseIsNoDatabaseOfOurs) {
                                              {"sql", "servo-pendulum.db", "SELECT 1"}}) {
     const Outcome outcome = program.run(command);
     EXPECT_EQ(outcome.exit_code, kBadInput) << command.front();
-    EXPECT_THAT(outcome.errors, HasSubstr("servo-pendulum.db: is not a database"));
+    EXPECT_THAT(outcome.errors, HasSubstr("servo-pendulum.db: is not a Lacuna database"));
   }
   EXPECT_EQ(program.read("servo-pendulum.db"), "This was a shopping list and is kept.\n");
   EXPECT_EQ(program.run({"sql", "nowhere.db", "SELECT 1"}).exit_code, kBadInput);

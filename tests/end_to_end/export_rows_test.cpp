@@ -137,11 +137,11 @@ TEST_F(ExportedRows, AreRefusedWithWhatThereIs) {
                     HasSubstr("\n  tables: ")));
   EXPECT_THAT(refused({"export", "first-steps.db"}), HasSubstr("say what to export, one of these:\n  views: "));
   EXPECT_THAT(refused({"export", "first-steps.db", "runs"}), HasSubstr("--csv, --json, --npz or --mcap"));
-  EXPECT_THAT(refused({"export", "first-steps.db", "runs", "--csv", "--json"}), HasSubstr("give one of --csv"));
+  EXPECT_THAT(refused({"export", "first-steps.db", "runs", "--csv", "--json"}), HasSubstr("give only one of --csv"));
   EXPECT_THAT(refused({"export", "first-steps.db", "runs", "--mcap", "runs.mcap"}),
               HasSubstr("runs is a table; use --csv, --json or --npz"));
   EXPECT_THAT(refused({"export", "first-steps.db", "chirp.csv", "--csv", "--revision", "9"}),
-              HasSubstr("there are those of revision 1"));
+              HasSubstr("there are predictions of revision 1"));
   EXPECT_THAT(refused({"export", "first-steps.db", "runs", "--csv", "--set", "engine.step=0.001"}),
               HasSubstr("--set is for an experiment file"));
 }
@@ -194,7 +194,7 @@ TEST_F(ExportedRows, GoThroughAPipe) {
   const Outcome terminal =
       program_.shell("script -qec 'lacuna export first-steps.db chirp.csv --npz' /dev/null </dev/null");
   EXPECT_EQ(terminal.exit_code, 2);
-  EXPECT_THAT(terminal.output, HasSubstr("bytes that are no text"));
+  EXPECT_THAT(terminal.output, HasSubstr("a binary file cannot go to a terminal"));
 }
 
 }  // namespace

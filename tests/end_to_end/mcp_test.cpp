@@ -157,7 +157,7 @@ TEST(McpOutside, StartsNoProgramThatAFileNames) {
   const json result =
       client.call("trial", {{"experiment", "outside-pendulum.toml"}, {"test", "steps motor 0.1 N*m 1 Hz 2 s"}});
   EXPECT_TRUE(result["isError"]);
-  EXPECT_THAT(text(result), HasSubstr("none is started for an agent"));
+  EXPECT_THAT(text(result), HasSubstr("an agent may not start programs"));
 }
 
 TEST_F(Mcp, OutlivesAPluginThatEndsTheProgram) {

@@ -103,12 +103,12 @@ TEST_F(OutsideRig, IsAskedWhatItIsByCheck) {
                 "[1], reads angle [deg], drives motor -600 to 600 mN*m"));
   const Outcome wrong = lacuna({"check"}, "wrong names");
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.errors, AllOf(HasSubstr("the sensor \"angle\", the target has none of that name"),
+  EXPECT_THAT(wrong.errors, AllOf(HasSubstr("the sensor \"angle\", which the target does not have"),
                                   HasSubstr("the actuator \"brake\"")));
   const Outcome controllers = program_.run({"check", "rig.toml", "--set", fault("only series"), "--set",
                                             "test.encoding=\"recurrent_network\"", "--set", "test.parameters={}"});
   EXPECT_EQ(controllers.exit_code, 2);
-  EXPECT_THAT(controllers.errors, HasSubstr("takes whole command series only"));
+  EXPECT_THAT(controllers.errors, HasSubstr("takes only whole command series"));
   EXPECT_FALSE(is_there("rig.db"));
 }
 
@@ -159,10 +159,10 @@ TEST_F(OutsideRig, TrialsCarriedOutAtOnceAreBothKept) {
 
 TEST_F(OutsideRig, ThatFailsInATrialLosesNothing) {
   for (const auto& [rig, sentence] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"dies", "ended with exit code 3; its last words on standard error:\n  motor driver: over-current"},
-           {"nan", "sends NaN or Infinity"},
+           {"dies", "ended with exit code 3; its last lines on standard error:\n  motor driver: over-current"},
+           {"nan", "sent NaN or Infinity"},
            {"too few", "too few samples"},
-           {"prints", "sends a line that is no JSON object"},
+           {"prints", "sent a line that is not a JSON object"},
            {"crashes in hello", "no rig at /dev/ttyUSB0"},
            {"refuses", "says: the arm is not at rest"}}) {
     const Outcome failed = lacuna({"trial", "--test", kSteps}, rig);
@@ -172,8 +172,8 @@ TEST_F(OutsideRig, ThatFailsInATrialLosesNothing) {
   const Outcome slow = program_.run(
       {"trial", "rig.toml", "--test", kSteps, "--set", fault("hangs"), "--set", "target.trial_limit=\"0.3 s\""});
   EXPECT_EQ(slow.exit_code, 1);
-  EXPECT_THAT(slow.errors, HasSubstr("has not answered in time (the limit is target.trial_limit, 0.3 s beyond"));
-  EXPECT_THAT(slow.errors, HasSubstr("trial-1 is noted as failed"));
+  EXPECT_THAT(slow.errors, HasSubstr("did not answer in time (the limit is target.trial_limit, 0.3 s beyond"));
+  EXPECT_THAT(slow.errors, HasSubstr("trial-1 is stored as failed"));
   EXPECT_EQ(sql("SELECT count(*) FROM failed_trials WHERE trial = 'trial-1'"), "7");
   EXPECT_EQ(sql("SELECT group_concat(DISTINCT ending) FROM runs"), "failed");
   const Outcome again = lacuna({"trial", "--test", kSteps});

@@ -150,11 +150,11 @@ TEST_F(Plan, ACheckpointThatCannotBeUsedIsPutAside) {
   program_.write("plan/checkpoints/0.db", "no database at all, whatever its name says");
   const Outcome anew = program_.shell("lacuna task run plan 0 --quiet");
   EXPECT_EQ(anew.exit_code, 0);
-  EXPECT_THAT(anew.errors, AllOf(HasSubstr("plan/checkpoints/0.db: is not a database"),
+  EXPECT_THAT(anew.errors, AllOf(HasSubstr("plan/checkpoints/0.db: is not a Lacuna database"),
                                  HasSubstr("it is kept as plan/checkpoints/0.db.unusable, and the task starts again")));
   program_.shell("cp plan/shards/0.db plan/checkpoints/1.db");
   EXPECT_THAT(program_.shell("lacuna task run plan 1 --quiet").errors,
-              HasSubstr("plan/checkpoints/1.db: holds other results than those of the task"));
+              HasSubstr("plan/checkpoints/1.db: contains results of another task"));
   EXPECT_THAT(lacuna("merge all.db plan"), HasSubstr("2 runs added"));
 }
 
@@ -177,8 +177,7 @@ TEST_F(Plan, ALostPlanIsMadeAnewAroundWhatItsTasksHaveFound) {
   lacuna("plan small.toml --replicates 2 --out plan");
   lacuna("task run plan 0 --quiet");
   program_.write("plan/plan.json", "{");
-  EXPECT_THAT(program_.shell("lacuna status plan").errors,
-              HasSubstr("put a copy back, or remove it and make the plan"));
+  EXPECT_THAT(program_.shell("lacuna status plan").errors, HasSubstr("restore a copy, or remove it and make the plan"));
   program_.shell("rm plan/plan.json");
   EXPECT_EQ(program_.shell("lacuna plan small.toml --seed 9 --out plan").exit_code, 2) << "of another plan";
   EXPECT_THAT(lacuna("plan small.toml --replicates 2 --out plan"), HasSubstr("plan: 2 tasks"));
@@ -193,7 +192,7 @@ TEST_F(Plan, LeavesOutShardsThatAreNotOfTheirTasks) {
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_THAT(merge.output, HasSubstr("all.db: 1 run added"));
   EXPECT_EQ(program_.shell("ls | grep all.db-").output, "") << "no log is left";
-  EXPECT_THAT(merge.errors, AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; move it "
+  EXPECT_THAT(merge.errors, AllOf(HasSubstr("plan/shards/2.db: contains results of another task; move it "
                                             "away and carry the task out again: lacuna task run plan 2"),
                                   HasSubstr("plan/shards/0.db: is damaged"), HasSubstr("1 of 3 tasks are merged")));
   program_.shell("sqlite3 plan/shards/1.db 'UPDATE model SET score = score * 2 + 1'");
@@ -230,7 +229,7 @@ TEST_F(Plan, NamesTasksThatFail) {
   program_.write("small.toml", program_.read("small.toml") + "# another file\n");
   const Outcome refused = program_.shell("lacuna task run plan 1");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("small.toml is not as it was when the plan was made")));
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("small.toml has changed since the plan was made")));
   EXPECT_THAT(lacuna("status plan"), AllOf(HasSubstr("task 1 failed ("), HasSubstr("1 failed (1), 1 done (0)")));
   const Outcome merge = program_.shell("lacuna merge all.db plan");
   EXPECT_EQ(merge.exit_code, 1);
@@ -251,7 +250,7 @@ TEST_F(Plan, RefusesWhatCannotBePlanned) {
   EXPECT_THAT(
       program_.shell("lacuna plan small.toml --sweep experiment.passes=1,2 --set experiment.passes=3 --out plan")
           .errors,
-      HasSubstr("--set experiment.passes=3: the key is swept"));
+      HasSubstr("--set experiment.passes=3: this key is swept"));
   EXPECT_EQ(program_.shell("ls plan").exit_code, 2) << "nothing was made";
   EXPECT_EQ(program_.shell("lacuna status .").exit_code, 2);
   EXPECT_EQ(program_.shell("lacuna task run . 0").exit_code, 2);
@@ -302,8 +301,8 @@ TEST_F(Plan, SaysWhatSlurmSays) {
     program_.write("sbatch", "#!/bin/sh\n" + sbatch + "\n");
     return program_.shell("PATH=.:$PATH lacuna run small.toml --executor slurm").errors;
   };
-  EXPECT_THAT(submission("echo welcome"), HasSubstr("did not answer with the number of a job but: welcome"));
-  EXPECT_THAT(submission("exit 127"), HasSubstr("sbatch is not to be found"));
+  EXPECT_THAT(submission("echo welcome"), HasSubstr("answered without the number of a job: welcome"));
+  EXPECT_THAT(submission("exit 127"), HasSubstr("sbatch was not found"));
   EXPECT_THAT(submission("case \"$*\" in *dependency*) echo no more jobs >&2; exit 1;; esac; echo 18"),
               AllOf(HasSubstr("no more jobs"),
                     HasSubstr("the tasks are submitted as Slurm job 18; when it has ended: lacuna merge ")));

@@ -53,14 +53,14 @@ TEST(PluginsList, HasOneKindWhereItIsAskedFor) {
 
 TEST(PluginsNew, RefusesWhatCannotBeANameWithASentence) {
   const std::map<std::string, std::string> sentences = {
-      {"metric Water-Drag", "\"Water-Drag\" is no name of a plugin; write small letters, digits and _"},
+      {"metric Water-Drag", "\"Water-Drag\" is not a valid plugin name; use lower-case letters, digits and _"},
       {"metric 2nd", "is no name of a plugin"},
       {"robot " + std::string(101, 'a'), "the name has 101 letters; at most 100 are allowed"},
-      {"search test", "test is a target of every CMake project"},
-      {"search all_plugins", "or of Lacuna's; choose another name"},
+      {"search test", "test is a CMake target of every project"},
+      {"search all_plugins", "or of Lacuna; choose another name"},
       {"metric mean_absolute_difference", "metric mean_absolute_difference already exists in "},
-      {"recording-format csv", "files that end with .csv are read by Lacuna itself"},
-      {"robot-format toml", "files that end with .toml are read by Lacuna itself"}};
+      {"recording-format csv", "Lacuna reads files that end with .csv without a plugin"},
+      {"robot-format toml", "Lacuna reads files that end with .toml without a plugin"}};
   const Program program;
   for (const auto& [words, sentence] : sentences) {
     const Outcome outcome = program.shell("lacuna plugins new " + words);
@@ -78,7 +78,7 @@ TEST(PluginsNew, OverwritesNothing) {
   for (const char* words : {"robot rod --into mine", "metric file"}) {
     const Outcome outcome = program.shell(std::string("lacuna plugins new ") + words);
     EXPECT_EQ(outcome.exit_code, 2) << words;
-    EXPECT_THAT(outcome.errors, testing::HasSubstr("is there already and is not overwritten")) << words;
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("already exists and is not overwritten")) << words;
   }
   EXPECT_EQ(program.read("mine/rod/rod.cpp"), "my own work\n");
 }

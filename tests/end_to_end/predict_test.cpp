@@ -65,7 +65,7 @@ TEST_F(PredictCommand, TellsABandThatTrialsNewToTheModelsSupport) {
   EXPECT_EQ(predict(kLine, {"--threads", "1"}).output, predict(kLine, {"--threads", "2"}).output);
   EXPECT_EQ(predict(kLine, {"--set", "experiment.passes=3"}).output, predict(kLine).output) << "as the run was begun";
   program_.shell("echo '# later' >> smoke/simulated-pendulum.toml");
-  EXPECT_THAT(predict(kLine).errors, HasSubstr("differs from what run 1 was begun with"));
+  EXPECT_THAT(predict(kLine).errors, HasSubstr("has changed since run 1 began"));
 }
 
 TEST_F(PredictCommand, TakesTestsOfTheRunAndFilesOfCommands) {
@@ -130,13 +130,13 @@ TEST_F(PredictCommand, RefusesWhatItCannotPredict) {
   expect_bad(predict(kLine, {"--json", "--csv"}), "cannot both go to standard output");
   expect_bad(predict(kLine, {"--json=band", "--csv=./band"}), "is named by two options");
   const Outcome set = predict(kLine, {"--set", "test.duration=1", "--set", "model.free={}"});
-  expect_bad(set, "--set test.duration=1: the models and trials of a run are those");
+  expect_bad(set, "--set test.duration=1: the run's models and trials belong to the settings");
   expect_bad(set, "--set model.free={}");
   constexpr const char* kForget =
       "python3 -c 'import sqlite3; c = sqlite3.connect(\"simulated-pendulum.db\"); "
       "c.executescript(\"DELETE FROM ensemble_value; DELETE FROM ensemble_model\")'";
   ASSERT_EQ(program_.shell(kForget).exit_code, 0) << "a database as an older version left it";
-  expect_bad(predict(kLine), "did not keep the models of its passes");
+  expect_bad(predict(kLine), "was made by an older version");
 }
 
 /// Cells of the rows that begin with `name`, or of all; numbers alone.
@@ -156,7 +156,7 @@ TEST_F(PredictCommand, SimulatesTheFittedModelOnTheFitTrialsWhereThereIsNoRun) {
       program_.run({"predict", "first-steps.toml", "--csv=model.csv", "--json=model.json", "--out", "model.svg"});
   ASSERT_EQ(told.exit_code, 0) << told.errors;
   EXPECT_THAT(told.output, HasSubstr("first-steps · revision 1 · fitted model, 3 free values · 2 fit trials"));
-  EXPECT_THAT(told.output, HasSubstr("This is one model, so there is no spread and no band"));
+  EXPECT_THAT(told.output, HasSubstr("A single model has no spread"));
   EXPECT_THAT(told.output, HasSubstr("1 held-out trial is left out"));
   EXPECT_THAT(program_.run({"sql", "first-steps.db", "--csv", "SELECT count(*) FROM holdout_looks"}).output,
               HasSubstr("\n0"))
@@ -209,8 +209,8 @@ TEST_F(PredictCommand, SaysWhatOneModelCannotPredict) {
   };
   expect_bad(of({"smoke/simulated-pendulum.toml"}), "has no fit trial to simulate. Say which test: --test");
   expect_bad(of({"first-steps.toml", "--test", "chirp.csv"}), "this trial is held out");
-  expect_bad(of({"first-steps.toml", "--test", "sine.csv", "--duration", "1 s"}), "has its own setup and duration");
-  expect_bad(of({"first-steps.toml", "--test", "17"}), "is the number of a test of a run");
+  expect_bad(of({"first-steps.toml", "--test", "sine.csv", "--duration", "1 s"}), "has a setup and a duration already");
+  expect_bad(of({"first-steps.toml", "--test", "17"}), "a number names a test of a run");
   expect_bad(of({"first-steps.toml", "--test", "triangle engine 0.3 N*m 0.5 Hz 4 s"}), "no actuator \"engine\"");
 }
 

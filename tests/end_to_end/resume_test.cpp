@@ -84,7 +84,7 @@ TEST_F(Resume, GoesOnWithTheRunsOfTheSameSettingsAndLeavesTheOthers) {
   EXPECT_EQ(none.exit_code, kBadInput);
   EXPECT_THAT(none.errors, AllOf(HasSubstr("run 1 is done, but it was begun with no --set"),
                                  HasSubstr("run 2 was begun with --set target.hidden_seed=3"),
-                                 HasSubstr("has no run of small to go on with")));
+                                 HasSubstr("has no run of small to continue")));
   EXPECT_EQ(program_.run({"run", "small.toml", "--set", "target.hidden_seed=3", "--resume"}).exit_code, kDone);
 }
 
@@ -136,10 +136,10 @@ TEST_F(Resume, RefusesATextThatWasEdited) {
                               "predict small.toml --test 0"}) {
     const Outcome outcome = program_.shell(std::string("lacuna ") + command);
     EXPECT_EQ(outcome.exit_code, kBadInput) << command;
-    EXPECT_THAT(outcome.errors, HasSubstr("its digest is another one")) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("its digest does not match")) << command;
   }
   ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE run SET ending = 'interrupted'\"").exit_code, 0);
-  EXPECT_THAT(program_.run({"run", "small.toml", "--resume"}).errors, HasSubstr("its digest is another one"));
+  EXPECT_THAT(program_.run({"run", "small.toml", "--resume"}).errors, HasSubstr("its digest does not match"));
 }
 
 TEST_F(Resume, RefusesAFileNameThatWasEditedAndTakesADigestOfAnEarlierVersion) {
@@ -156,13 +156,15 @@ TEST_F(Resume, RefusesAFileNameThatWasEditedAndTakesADigestOfAnEarlierVersion) {
   ASSERT_EQ(program_.shell("sqlite3 edited.db \"UPDATE experiment_text SET file = 'other.toml'\"").exit_code, 0);
   const Outcome edited = program_.run({"reproduce", "edited.db"});
   EXPECT_EQ(edited.exit_code, kBadInput);
-  EXPECT_THAT(edited.errors, HasSubstr("or has another file name (its digest is another one)"));
+  EXPECT_THAT(
+      edited.errors,
+      HasSubstr("differs from the text or file name that was stored when the run began (its digest does not match)"));
 }
 
 TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
   const Outcome noticed = run_and_copy_over({});
   EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
-  EXPECT_THAT(noticed.errors, AllOf(HasSubstr("small.db: was written over by another program while it was open"),
+  EXPECT_THAT(noticed.errors, AllOf(HasSubstr("small.db: was overwritten by another program while it was open"),
                                     Not(HasSubstr("nothing is lost"))));
   EXPECT_EQ(program_.read("small.db"), program_.read("theirs.db"));
   EXPECT_FALSE(std::filesystem::exists(program_.folder() / "small.db-wal"));
@@ -189,16 +191,16 @@ TEST_F(Resume, GoesOnFromABackup) {
   EXPECT_EQ(hash("copy.db"), hash("small.db"));
   const Outcome again = program_.run({"backup", "small.db", "copy.db"});
   EXPECT_EQ(again.exit_code, kBadInput);
-  EXPECT_THAT(again.errors, HasSubstr("copy.db: is there already; name a new file, or move it away"));
+  EXPECT_THAT(again.errors, HasSubstr("copy.db: already exists; name a new file, or move it away"));
 }
 
 TEST_F(Resume, SaysOnceForAllReplicatesThatTheDatabaseWasWrittenOver) {
   const Outcome noticed = run_and_copy_over({"--replicates", "3", "--quiet"});
   EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
-  const std::size_t first = noticed.errors.find("was written over by another program");
+  const std::size_t first = noticed.errors.find("was overwritten by another program");
   ASSERT_NE(first, std::string::npos) << noticed.errors;
-  EXPECT_EQ(noticed.errors.find("was written over by another program", first + 1), std::string::npos) << noticed.errors;
-  EXPECT_THAT(noticed.errors, HasSubstr("runs 1, 2, 3: small.db: was written over"));
+  EXPECT_EQ(noticed.errors.find("was overwritten by another program", first + 1), std::string::npos) << noticed.errors;
+  EXPECT_THAT(noticed.errors, HasSubstr("runs 1, 2, 3: small.db: was overwritten"));
 }
 
 TEST_F(Resume, DoesNotSayThatNothingIsLostOfADamagedDatabase) {
@@ -207,9 +209,8 @@ TEST_F(Resume, DoesNotSayThatNothingIsLostOfADamagedDatabase) {
             0);
   const Outcome damaged = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(damaged.exit_code, 1);
-  EXPECT_THAT(damaged.errors,
-              AllOf(HasSubstr("run 1: small.db: the checkpoint of run 1 is damaged"),
-                    HasSubstr("results that were stored before may be lost"), Not(HasSubstr("nothing is lost"))));
+  EXPECT_THAT(damaged.errors, AllOf(HasSubstr("run 1: small.db: the checkpoint of run 1 is damaged"),
+                                    HasSubstr("earlier results may be lost"), Not(HasSubstr("nothing is lost"))));
 }
 
 /// Another database is moved over one that is being written, and the writer goes on, or is killed.
@@ -246,7 +247,7 @@ TEST_F(Resume, AReplacedDatabaseHarmsNobody) {
     const std::string log = program_.read("small.db-wal");
     ASSERT_GT(log.size(), 4096U) << "the test would show nothing";
     const Outcome outcome = program_.shell(command);
-    EXPECT_THAT(outcome.errors, HasSubstr("small.db-wal: holds changes to another database")) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("small.db-wal: contains changes to another database")) << command;
     EXPECT_EQ(hash("small.db"), their_hash) << command;
     EXPECT_EQ(program_.read("small.db-wal.set-aside"), log) << command;
     std::filesystem::remove(program_.folder() / "small.db-wal.set-aside");
@@ -292,7 +293,7 @@ TEST_F(Resume, WaitsForASignOfLifeFromAnotherMachine) {
   const Outcome alive = program_.shell(
       foreign + "(sleep 8; sqlite3 small.db 'UPDATE claim SET beat = 1') & lacuna run small.toml --resume");
   EXPECT_EQ(alive.exit_code, kBadInput);
-  EXPECT_THAT(alive.errors, AllOf(HasSubstr("has begun to carry a run out; waiting 15 s"),
+  EXPECT_THAT(alive.errors, AllOf(HasSubstr("began to carry out a run; waiting 15 s"),
                                   HasSubstr("another process is carrying out run 1")));
   const Outcome gone = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(gone.exit_code, kDone) << gone.errors;

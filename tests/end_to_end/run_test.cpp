@@ -94,7 +94,7 @@ TEST_F(Run, ReplayRefusesAModelOrTrialThatIsNotThere) {
   EXPECT_THAT(model.errors, HasSubstr("the run has no such model"));
   const Outcome trial = program_.run({"replay", "small.db", "--trial", "9", "--csv"});
   EXPECT_EQ(trial.exit_code, kBadInput);
-  EXPECT_THAT(trial.errors, HasSubstr("the trials 0, 1 only"));
+  EXPECT_THAT(trial.errors, HasSubstr("only on trials 0, 1"));
 }
 
 TEST_F(Run, HasTheSameHashWithOneAndTwoThreadsAndWithReplicatesSideBySide) {

@@ -35,8 +35,8 @@ TEST(Verify, FindsAllRunsAsTheCommandsLeftThem) {
   ASSERT_EQ(program.shell("sqlite3 first-steps.db \"UPDATE fitted_value SET value = value + 1e-12\"").exit_code, 0);
   const Outcome changed = program.run({"verify", "first-steps.db"});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_THAT(changed.output, HasSubstr("run 1, table fitted_value: changed since the run ended: other content\n"));
-  EXPECT_THAT(changed.errors, HasSubstr("first-steps.db: is not what was stored; keep the file, and go back to a "
+  EXPECT_THAT(changed.output, HasSubstr("run 1, table fitted_value: changed since the run ended: different content\n"));
+  EXPECT_THAT(changed.errors, HasSubstr("first-steps.db: differs from what was stored; keep the file, and restore a "
                                         "backup (lacuna backup makes them)"));
 }
 
@@ -48,7 +48,7 @@ TEST(Verify, FindsAViewThatIsNotTheProgramsAnyMore) {
   ASSERT_EQ(program.shell("sqlite3 small.db \"CREATE TABLE notes (text); DROP VIEW runs\"").exit_code, 0);
   const Outcome changed = program.run({"verify", "small.db"});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_THAT(changed.output, HasSubstr("view runs is not as this program makes it\n"));
+  EXPECT_THAT(changed.output, HasSubstr("view runs differs from the one that this program makes\n"));
   EXPECT_EQ(changed.output.find("notes"), std::string::npos) << "a table more is the user's";
 }
 

@@ -152,7 +152,7 @@ TEST_F(NewCommand, CountsOneTrialAsOne) {
 TEST_F(NewCommand, NeverOverwrites) {
   const std::filesystem::path file = folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
   folder_.write("rig-robot.toml", "mine\n");
-  EXPECT_THAT(run_new({file}).err, HasSubstr("rig-robot.toml: is there already and is not overwritten"));
+  EXPECT_THAT(run_new({file}).err, HasSubstr("rig-robot.toml: already exists and is not overwritten"));
   EXPECT_FALSE(std::filesystem::exists(rig()));
   std::filesystem::remove(robot());
   folder_.write("rig.toml", "mine\n");

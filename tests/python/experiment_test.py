@@ -164,7 +164,7 @@ class NewTest(WithRig):
         self.assertTrue(Path("drafted.toml").exists() and Path("drafted-robot.toml").exists())
         self.assertIn("fill in", draft.text)
         self.assertEqual(draft.experiment.path, "drafted.toml")
-        with self.assertRaisesRegex(lacuna.CommandFailedError, "is there already"):
+        with self.assertRaisesRegex(lacuna.CommandFailedError, "already exists"):
             lacuna.Experiment.new("drafted.toml", files)
 
 

@@ -39,10 +39,9 @@ TEST(BoundText, DoesNotDismissAnEffectThatShorterSegmentsShow) {
   fit.stages.resize(2);
   fit.stages[0].values = {19.9};
   fit.stages[1].values = {0.0};
-  EXPECT_EQ(
-      bound_text(fit),
-      "effect.coulomb_friction.torque is at its lower bound, 0.00 N: whole trials want none of it, though shorter "
-      "segments do: something else is missing, too\n");
+  EXPECT_EQ(bound_text(fit),
+            "effect.coulomb_friction.torque: the fit stopped at the lower bound, 0.00 N: whole trials give this value, "
+            "but shorter segments do not, so something else is missing too\n");
 }
 
 TEST(BoundText, IsEmptyWhereNoValueIsAtABound) {

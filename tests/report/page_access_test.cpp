@@ -43,11 +43,11 @@ TEST(PageAccessTest, AnswersToNamesOfThisMachine) {
   for (const char* host : {"127.0.0.1:80", "localhost:80", "LOCALHOST", "[::1]:80"})
     EXPECT_THAT(here.refusal(get(host)), IsEmpty()) << host;
   for (const char* host : {"", "evil.example:80", "127.0.0.1.evil.example", "192.0.2.1:80", "[", ":80"})
-    EXPECT_THAT(here.refusal(get(host)), HasSubstr("name of this machine")) << host;
+    EXPECT_THAT(here.refusal(get(host)), HasSubstr("does not belong to this machine")) << host;
   const PageAccess everywhere(kToken, "0.0.0.0");
   for (const char* host : {"192.0.2.1:80", "[2001:db8::1]:80", "localhost"})
     EXPECT_THAT(everywhere.refusal(get(host)), IsEmpty()) << host;
-  EXPECT_THAT(everywhere.refusal(get("evil.example:80")), HasSubstr("name of this machine"));
+  EXPECT_THAT(everywhere.refusal(get("evil.example:80")), HasSubstr("does not belong to this machine"));
   EXPECT_THAT(PageAccess(kToken, "Rig.example").refusal(get("rig.example:80")), IsEmpty());
 }
 

@@ -65,8 +65,8 @@ TEST_F(DatabaseTest, ReferencesAreEnforced) {
 TEST_F(DatabaseTest, ATextFileIsNotADatabaseAndStaysAsItIs) {
   std::ofstream(file_) << "t,position\n0,1\n0.1,2 and more than a header's worth of text to make SQLite look at it\n";
   const std::string before = read_bytes(file_);
-  EXPECT_THAT(open_sentence(), HasSubstr("rig.db: is not a database"));
-  EXPECT_THAT(read_sentence(), HasSubstr("is not a database"));
+  EXPECT_THAT(open_sentence(), HasSubstr("rig.db: is not a Lacuna database"));
+  EXPECT_THAT(read_sentence(), HasSubstr("is not a Lacuna database"));
   EXPECT_EQ(read_bytes(file_), before);
 }
 
@@ -94,7 +94,7 @@ TEST_F(DatabaseTest, AWrongVersionGetsASentenceAndLeavesTheFileAsItIs) {
     { Database::open(file_).execute("PRAGMA user_version = " + std::to_string(wrong)); }
     const std::string before = read_bytes(file_);
     for (const std::string& sentence : {open_sentence(), read_sentence()})
-      EXPECT_THAT(sentence, testing::AllOf(HasSubstr("rig.db: says that it has schema " + std::to_string(wrong)),
+      EXPECT_THAT(sentence, testing::AllOf(HasSubstr("rig.db: its header says schema " + std::to_string(wrong)),
                                            HasSubstr("PRAGMA user_version = N")));
     EXPECT_EQ(read_bytes(file_), before) << wrong;
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".before-version-" + std::to_string(newest)));
@@ -183,7 +183,7 @@ TEST_F(DatabaseTest, ASecondWriterWaitsAndThenSaysSo) {
   Database second = Database::open(file_);
   second.wait_for_writers(std::chrono::milliseconds(20));
   Transaction writing(first);
-  EXPECT_THAT(sentence_of([&] { Transaction refused(second); }), HasSubstr("is being written by another process"));
+  EXPECT_THAT(sentence_of([&] { Transaction refused(second); }), HasSubstr("is in use by another process"));
   const Database reader = Database::open_read_only(file_);
   EXPECT_EQ(ask(reader, "SELECT count(*) FROM run"), 0) << "readers are not kept waiting";
   writing.commit();

@@ -162,7 +162,7 @@ TEST_F(EeaFault, ASecondWriterWaitsOrGivesUpWithASentenceAndCanTryAgain) {
   {
     Database other = Database::open(file_);
     const Transaction writing(other);
-    EXPECT_THAT(sentence_of([&] { run.store->commit({{4.0}}); }), HasSubstr("is being written by another process"));
+    EXPECT_THAT(sentence_of([&] { run.store->commit({{4.0}}); }), HasSubstr("is in use by another process"));
   }
   run.store->commit({{4.0}});
   EXPECT_EQ(content_hash(run.database, run.run), undisturbed(4));

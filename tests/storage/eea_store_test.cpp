@@ -222,8 +222,7 @@ TEST_F(EeaStoreTest, TwoThatContinueOneRunAreToldApart) {
   EeaStore second(small_.database, small_.writing, small_.run, small_.experiment);
   ASSERT_TRUE(second.checkpoint());
   made_up.commit(*small_.store, 2);
-  EXPECT_THAT(sentence_of([&] { made_up.commit(second, 2); }),
-              HasSubstr("run 1 is being continued by another process"));
+  EXPECT_THAT(sentence_of([&] { made_up.commit(second, 2); }), HasSubstr("run 1 is also continued by another process"));
   made_up.commit(*small_.store, 3);
 }
 

@@ -91,7 +91,7 @@ TEST_F(ForeignLog, OfAKilledWriterIsSetAsideBeforeTheFileThatTookItsPlaceIsWritt
   make(other_, 2);
   add_and_be_killed(file_, 3, 40);
   fs::rename(other_, file_);
-  EXPECT_THAT(opened(write_to), AllOf(HasSubstr("rig.db-wal: holds changes to another database"),
+  EXPECT_THAT(opened(write_to), AllOf(HasSubstr("rig.db-wal: contains changes to another database"),
                                       HasSubstr("set aside as " + log_.string() + ".set-aside")));
 }
 
@@ -150,7 +150,7 @@ TEST_F(ForeignLog, LeavesATextFileAsItIs) {
   fs::rename(other_, file_);
   std::string sentence;
   said_by([&] { sentence = sentence_of([&] { Database::open(file_); }); });
-  EXPECT_THAT(sentence, HasSubstr("is not a database"));
+  EXPECT_THAT(sentence, HasSubstr("is not a Lacuna database"));
   EXPECT_EQ(read_bytes(file_), text);
   EXPECT_TRUE(fs::exists(log_.string() + ".set-aside"));
 }
@@ -236,7 +236,7 @@ TEST_F(ForeignLog, OfAReplacedFileIsTakenAwayByItsWriterWhichKeepsWhatWasCommitt
     fs::rename(other_, file_);
     EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }),
                 AllOf(HasSubstr("rig.db: was replaced by another file while it was open"),
-                      HasSubstr("What was stored until then is in " + file_.string() + ".rescued")));
+                      HasSubstr("The rows stored so far are in " + file_.string() + ".rescued")));
     EXPECT_FALSE(fs::exists(log_));
     EXPECT_FALSE(fs::exists(file_.string() + "-shm"));
     EXPECT_EQ(experiments_in(file_), 2) << "while the other is still open";

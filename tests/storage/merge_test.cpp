@@ -157,7 +157,7 @@ TEST_F(MergeTest, ARunThatHasGoneOnSinceIsNotTakenForTheEarlierState) {
     for (int i = 2; i < kMadeUp.commits(); ++i) kMadeUp.commit(store, i);
     store.end(RunEnding::done);
   }
-  EXPECT_THAT(test::sentence_of([&] { merged({file("a.db")}); }), HasSubstr("has an earlier state of it"));
+  EXPECT_THAT(test::sentence_of([&] { merged({file("a.db")}); }), HasSubstr("in an earlier state"));
 }
 
 TEST_F(MergeTest, NoShardIsMergedWhereALaterOneHasMoreOfItsRun) {
@@ -176,7 +176,7 @@ TEST_F(MergeTest, NoShardIsMergedWhereALaterOneHasMoreOfItsRun) {
                 merged({file("a.db"), file("b.db")});
               }),
               testing::AllOf(HasSubstr("b.db: run 1 is run 1 of "),
-                             HasSubstr("a.db, which has an earlier state of it; leave that one out")));
+                             HasSubstr("a.db, in an earlier state; leave out that one")));
   EXPECT_EQ(asked("SELECT count(*) FROM run"), 0);
 }
 
@@ -218,13 +218,14 @@ TEST_F(MergeTest, ShardsThatContradictThemselvesAreRefused) {
     return said;
   };
   EXPECT_THAT(refusal("UPDATE holdout_look SET experiment = 3"),
-              HasSubstr("c.db: a row of holdout_look refers to a row of experiment that is not there"));
-  EXPECT_THAT(refusal("DROP TABLE work_time"), HasSubstr("c.db: table work_time is not as this program makes it"));
+              HasSubstr("c.db: a row of holdout_look refers to a missing row of experiment"));
+  EXPECT_THAT(refusal("DROP TABLE work_time"),
+              HasSubstr("c.db: table work_time differs from the one that this program makes"));
   EXPECT_THAT(refusal("ALTER TABLE fit ADD COLUMN more TEXT"), HasSubstr("table fit is not"));
   EXPECT_THAT(refusal("UPDATE experiment SET id = 7; UPDATE experiment_text SET experiment = 7;"
                       "UPDATE revision SET experiment = 7; UPDATE trial SET experiment = 7;"
                       "UPDATE holdout_look SET experiment = 7"),
-              HasSubstr("c.db: has a row that refers to what none of its runs has stored"));
+              HasSubstr("c.db: has a row that refers to a missing row"));
 }
 
 TEST_F(MergeTest, RunsOfOneExperimentByTwoBuildsOfAPluginStayApart) {

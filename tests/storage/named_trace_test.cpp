@@ -68,8 +68,9 @@ TEST_F(NamedTraceTest, HasTheReadingsBesideTheNewestPrediction) {
 
 TEST_F(NamedTraceTest, IsOfTheRevisionThatIsAskedFor) {
   EXPECT_EQ(find("sine", 1)->revision, 1);
-  EXPECT_THAT(complaint("sine", 7), HasSubstr("--revision 7: has no prediction of sine by this revision; there are "
-                                              "those of revision 1, 2"));
+  EXPECT_THAT(
+      complaint("sine", 7),
+      HasSubstr("--revision 7: this revision has no prediction of sine; there are predictions of revision 1, 2"));
 }
 
 TEST_F(NamedTraceTest, IsOfAFittedModelBeforeOneAsWritten) {

@@ -114,7 +114,7 @@ TEST_F(RunClaimTest, WhoLosesItWritesNothingMore) {
     filled_.advance(made_up, 2);
     ADD_FAILURE() << "it was written";
   } catch (const Error& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("is being continued by another process"));
+    EXPECT_THAT(refused.what(), HasSubstr("is also continued by another process"));
   }
 }
 

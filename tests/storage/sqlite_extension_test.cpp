@@ -66,7 +66,7 @@ TEST_F(SqliteExtension, SaysWhatIsWrongInASentence) {
   EXPECT_THAT(ask("SELECT * FROM trace_samples(12)"), HasSubstr("the database has no trace 12"));
   EXPECT_THAT(ask("SELECT * FROM trace_samples"), HasSubstr("trace_samples needs the key of a trace"));
   EXPECT_THAT(ask("DROP VIEW traces; DROP TABLE trace; SELECT * FROM trace_samples(1)"),
-              HasSubstr("not a database of Lacuna"));
+              HasSubstr("not a Lacuna database"));
 }
 
 TEST_F(SqliteExtension, NoticesAFlippedBit) {

@@ -42,7 +42,7 @@ TEST_F(TaskDatabaseTest, IsTheShardOfTheTaskThatHasEnded) {
 TEST_F(TaskDatabaseTest, IsACheckpointUntilThen) {
   ending_ = RunEnding::interrupted;
   begin_run("task 1");
-  EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("does not hold the end of the task")));
+  EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("contains an unfinished task")));
   EXPECT_EQ(fault(TaskDatabase::checkpoint), std::nullopt);
   ending_ = RunEnding::done;
   begin_run("task 1");  // a diagnosis that goes on is another run
@@ -51,20 +51,20 @@ TEST_F(TaskDatabaseTest, IsACheckpointUntilThen) {
 
 TEST_F(TaskDatabaseTest, IsNotThatOfAnotherTask) {
   begin_run("task 2");
-  EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("holds other results than those of the task")));
-  EXPECT_THAT(fault(TaskDatabase::checkpoint), Optional(std::string("holds other results than those of the task")));
+  EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("contains results of another task")));
+  EXPECT_THAT(fault(TaskDatabase::checkpoint), Optional(std::string("contains results of another task")));
 }
 
 TEST_F(TaskDatabaseTest, MustBeReadable) {
   EXPECT_TRUE(fault(TaskDatabase::shard)) << "there is none";
   Database::open(file_);
-  EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("holds no results of the task")));
+  EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("contains no results of the task")));
   EXPECT_EQ(fault(TaskDatabase::checkpoint), std::nullopt);
   begin_run("task 1");
   std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 2);
   EXPECT_THAT(fault(TaskDatabase::checkpoint), Optional(std::string("is damaged")));
   folder_.write("shard.db", "not a database, but a text that is long enough to be looked at as one");
-  EXPECT_THAT(fault(TaskDatabase::checkpoint), Optional(testing::HasSubstr("is not a database")));
+  EXPECT_THAT(fault(TaskDatabase::checkpoint), Optional(testing::HasSubstr("is not a Lacuna database")));
 }
 
 }  // namespace

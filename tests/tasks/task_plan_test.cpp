@@ -63,7 +63,7 @@ TEST_F(TaskPlanTest, NamesInputsThatAreOthersNow) {
   EXPECT_THAT(changed_inputs(plan_, plan_.tasks[0]), IsEmpty());
   write_text(folder_ / "rig.toml", "[experiment]\nname = \"other\"\n");
   EXPECT_THAT(changed_inputs(plan_, plan_.tasks[0]),
-              ElementsAre((folder_ / "rig.toml").string() + " is not as it was when the plan was made"));
+              ElementsAre((folder_ / "rig.toml").string() + " has changed since the plan was made"));
   std::filesystem::remove(folder_ / "rig.toml");
   EXPECT_THAT(changed_inputs(plan_, plan_.tasks[0]), ElementsAre(HasSubstr("rig.toml")));
 }

@@ -91,7 +91,7 @@ void trim(sqlite3_context* context, int count, sqlite3_value** values) try {
   const std::string_view taken = count > 1 ? text_of(values[1]) : std::string_view(" ");
   constexpr std::size_t kMostBytes = std::size_t{4} * kMostTrimmed;
   if (taken.size() > kMostBytes)
-    return sqlite3_result_error(context, "trim: names too many characters; 64 are the most here", -1);
+    return sqlite3_result_error(context, "trim: too many characters; at most 64 are allowed", -1);
   const std::vector<std::string_view> set = characters(taken);
   const auto strip = [&](auto matches, auto remove) {
     for (bool any = true; any && !text.empty();) {

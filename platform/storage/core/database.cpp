@@ -32,7 +32,7 @@ constexpr int kPauseMs = 5;
 void check_place(const std::filesystem::path& file) {
   const std::string name = file.string();
   if (name.starts_with("file:") || name == ":memory:")
-    throw_problem({name}, "SQLite does not take this for the name of a file; write ./" + name);
+    throw_problem({name}, "SQLite does not accept this as a file name; write ./" + name);
   std::error_code unknown;
   const std::filesystem::file_status status = std::filesystem::status(file, unknown);
   if (std::filesystem::is_directory(status)) throw_problem({file.string()}, "is a folder; name a database file");
@@ -65,7 +65,7 @@ void keep_write_ahead_log(const std::filesystem::path& file, sqlite3* handle) {
   }
   if (result != SQLITE_OK) throw_storage_error(file, result, sqlite3_errmsg(handle));
   if (mode != "wal") {
-    throw Error(file.string() + ": cannot keep a write-ahead log in this folder; use --db with a file on a local disk");
+    throw Error(file.string() + ": this folder cannot hold a write-ahead log; use --db with a file on a local disk");
   }
 }
 
@@ -193,8 +193,8 @@ Database Database::open_read_only(const std::filesystem::path& file) {
     if (!cannot_open) throw;
     if (has_content(file.string() + "-wal")) {
       throw Error(file.string() +
-                  ": has changes in its -wal file, which cannot be read in a read-only folder or on a full disk; copy "
-                  "both files to a folder that can be written, and read them there");
+                  ": has changes in its -wal file, and these cannot be read in a read-only folder or on a full disk; "
+                  "copy both files to a writable folder and read them there");
     }
     database.connection_ =
         connect(file, uri_of(file.string()) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);

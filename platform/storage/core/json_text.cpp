@@ -15,7 +15,7 @@ namespace {
 nlohmann::json parsed_list(const std::string& json) try {
   return nlohmann::json::parse(shallow_json(json));
 } catch (const nlohmann::json::exception& wrong) {
-  throw Error(fmt::format("a stored list cannot be read ({}); restore a copy of the database", wrong.what()));
+  throw Error(fmt::format("a stored list cannot be read ({}); restore a backup of the database", wrong.what()));
 }
 
 double number_or_unknown(const nlohmann::json& value) { return value.is_number() ? value.get<double>() : kNotKnown; }

@@ -60,8 +60,8 @@ void copy_before(const Database& database, int newest) {
     std::filesystem::remove(draft, ignored);
   } catch (const std::exception& error) {
     std::filesystem::remove(draft, ignored);
-    throw Error(std::string(error.what()) + "; it was about to be copied to " + copy +
-                " before being brought up to date");
+    throw Error(std::string(error.what()) + "; this happened while it was copied to " + copy +
+                " , before the update to the current schema");
   }
 }
 
@@ -70,9 +70,9 @@ void apply(Database& database, const Migration& migration, int version) {
     database.connection().exec(migration.sql);
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() != SQLITE_ERROR) throw_storage_error(database.file(), error);
-    throw Error(database.file().string() + ": says that it has schema " + std::to_string(version) +
-                ", but its tables are not those of that schema (" + error.what() +
-                "); it was left as it is. If its user_version was changed, set the number that it had: sqlite3 FILE "
+    throw Error(database.file().string() + ": its header says schema " + std::to_string(version) +
+                ", but its tables differ from that schema (" + error.what() +
+                "); it was not changed. If its user_version was changed, restore the number: sqlite3 FILE "
                 "\"PRAGMA user_version = N\"; else restore a copy");
   }
 }
@@ -84,22 +84,22 @@ void check_header(const Database& database, const std::vector<Migration>& migrat
   const bool empty = is_empty(database);
   const int application = application_of(database);
   if (application != kApplicationId && !(application == 0 && empty)) {
-    throw_problem({database.file().string()}, "is a database of another program, not of Lacuna; name another file");
+    throw_problem({database.file().string()},
+                  "is not a Lacuna database but that of another program; name another file");
   }
   const int version = version_of(database);
   if (version < 0 || version > migrations.back().number + kFarNewer)
-    throw Error(
-        database.file().string() + ": says that it has schema " + std::to_string(version) +
-        ", which no Lacuna writes; its header was changed or is damaged. Restore a copy, or set the number that "
-        "it had: sqlite3 FILE \"PRAGMA user_version = N\"");
+    throw Error(database.file().string() + ": its header says schema " + std::to_string(version) +
+                ", which no version of Lacuna writes; its header was changed or is damaged. Restore a backup, or set "
+                "the number that "
+                "it had: sqlite3 FILE \"PRAGMA user_version = N\"");
   if (version > migrations.back().number) {
     throw Error(database.file().string() + ": was written by a newer Lacuna (schema " + std::to_string(version) +
-                ", this program knows " + std::to_string(migrations.back().number) + "); use that one");
+                ", this program knows " + std::to_string(migrations.back().number) + "); use the newer version");
   }
   if (version > 0 && is_empty(database))  // now: the other process has made its tables
     throw Error(database.file().string() + ": has the header of schema " + std::to_string(version) +
-                " but no tables; it is damaged, and was left as it is. Restore a copy, or name "
-                "another file");
+                " but no tables; it is damaged and was not changed. Restore a backup, or name another file");
 }
 
 bool is_of_version(const Database& database, const std::vector<Migration>& migrations) {

@@ -62,18 +62,19 @@ std::int64_t inode_of(const Database& database) {
 bool bind_name(int socket, const std::string& holder) {
   const std::string name = "lacuna " + holder;
   sockaddr_un address{};
-  if (name.size() + 1 > sizeof(address.sun_path)) throw Error(name + ": is too long for the name of a socket");
+  if (name.size() + 1 > sizeof(address.sun_path)) throw Error(name + ": is too long as the name of a socket");
   address.sun_family = AF_UNIX;
   std::copy(name.begin(), name.end(), address.sun_path + 1);  // a zero byte first: the abstract namespace
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   if (bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0) return true;
   if (errno == EADDRINUSE) return false;
-  throw Error(std::string("a process cannot show others that it lives: ") + std::strerror(errno));
+  throw Error(std::string("the process cannot tell other processes that it is running: ") + std::strerror(errno));
 }
 
 int open_socket() {
   const int descriptor = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (descriptor < 0) throw Error(std::string("a process cannot show others that it lives: ") + std::strerror(errno));
+  if (descriptor < 0)
+    throw Error(std::string("the process cannot tell other processes that it is running: ") + std::strerror(errno));
   return descriptor;
 }
 
@@ -185,7 +186,7 @@ bool is_taken_over(const Database& database, RunId run) {
 void check_claim(const Database& database, RunId run) {
   if (is_taken_over(database, run))
     throw Error(database.file().string() + ": run " + std::to_string(run.value) +
-                " is being continued by another process, too; this one stops, and nothing stored is lost");
+                " is also continued by another process; this process stops, and nothing stored is lost");
 }
 
 }  // namespace lacuna

@@ -20,11 +20,11 @@ std::string sentence(int code, const std::string& message) {
     return "cannot grow: the disk or the quota is full, or files may not grow this large (ulimit -f); make room and "
            "repeat the command (lacuna run: with --resume)";
   if (is_damage(code))
-    return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
+    return "is damaged (" + message + "); restore a backup, or recover the readable part with: sqlite3 FILE .recover";
   switch (code & 0xff) {
-    case SQLITE_NOTADB: return "is not a database; name another file, or move this one away";
+    case SQLITE_NOTADB: return "is not a Lacuna database; name another file, or move this one away";
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return "is being written by another process; wait until it has ended and try again";
+    case SQLITE_LOCKED: return "is in use by another process; wait until that has ended, then try again";
     case SQLITE_FULL:
       return "cannot grow: the disk or the quota is full; make room and repeat the command (lacuna run: with "
              "--resume)";
@@ -35,10 +35,10 @@ std::string sentence(int code, const std::string& message) {
     case SQLITE_IOERR:
       return "cannot be read or written (" + message +
              "); check the disk, its quota, its connection and the largest size of files (ulimit -f), then run again";
-    case SQLITE_NOMEM: return "needs more memory than there is for it; free some, or ask for less at once";
-    case SQLITE_TOOBIG: return "has a value that is too long to be read (" + message + ")";
+    case SQLITE_NOMEM: return "needs more memory than is available; free some, or request less at once";
+    case SQLITE_TOOBIG: return "has a value that is too long (" + message + ")";
     case SQLITE_CONSTRAINT:
-      return "refused a record (" + message + "), which is a fault of this program; please report it";
+      return "refused a record (" + message + "); this is a fault of the program, please report it";
     default: return "cannot be used (" + message + ")";
   }
 }
@@ -58,7 +58,7 @@ void throw_storage_error(const std::filesystem::path& file, int extended_code, c
     throw Error(file.string() +
                 ": cannot be written: its folder is read-only; name a database elsewhere (--db FILE, where "
                 "the command has it)");
-  if (code == SQLITE_INTERRUPT) throw Interrupted(file.string() + ": interrupted while it was read");
+  if (code == SQLITE_INTERRUPT) throw Interrupted(file.string() + ": interrupted during reading");
   if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
   if (code == SQLITE_CANTOPEN)
     if (const std::string used_up = used_up_descriptors(); !used_up.empty())

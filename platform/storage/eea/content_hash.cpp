@@ -107,7 +107,7 @@ std::string content_hash(const Database& database, RunId run) {
     const std::int64_t rows = add_rows(database, run, content, hash);
     if (&content == kContents && rows == 0) {
       throw Error(database.file().string() + ": run " + std::to_string(run.value) +
-                  " has no models and tests; view eea_runs lists those that do");
+                  " is not a run of the algorithm; view eea_runs lists these runs");
     }
   }
   return hash.hex();

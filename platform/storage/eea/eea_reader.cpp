@@ -74,7 +74,7 @@ void add_trial_scores(const Database& database, RunId run, std::vector<ModelRow>
     const auto known = numbers.find(row.integer(1));
     if (known == numbers.end())
       throw DamagedDatabase(database.file().string() + ": run " + std::to_string(run.value) + ": model " +
-                            std::to_string(number) + " has a score on a trial that the run has not");
+                            std::to_string(number) + " has a score on a trial that the run does not have");
     const std::size_t trial = known->second;
     if (model->trial_scores.size() <= trial) model->trial_scores.resize(trial + 1, kNotKnown);
     model->trial_scores[trial] = row.real(2);
@@ -118,7 +118,7 @@ void EeaStore::begin(const EeaRunRecord& record) {
   if (const std::optional<EeaRunRecord> there = read_run_record(database_, run_)) {
     if (const std::string other = difference(*there, record); !other.empty()) {
       throw Error(database_.file().string() + ": run " + std::to_string(run_.value) + " was begun with " + other +
-                  "; take back what was changed in the experiment, or run without --resume");
+                  "; undo the change of the experiment, or run without --resume");
     }
   } else {
     write_run_record(database_, run_, experiment_, record);
@@ -133,7 +133,7 @@ EeaRunRecord EeaStore::record() const {
   const std::optional<EeaRunRecord> record = read_run_record(database_, run_);
   if (!record) {
     throw Error(database_.file().string() + ": run " + std::to_string(run_.value) +
-                " has no models and tests; view eea_runs lists those that do");
+                " is not a run of the algorithm; view eea_runs lists these runs");
   }
   return *record;
 }

@@ -135,7 +135,7 @@ void EeaStore::write_checkpoint(const CheckpointRow& checkpoint) {
   check_claim(database_, run_);
   if (commits_ && *commits_ != commits) {
     throw Error(database_.file().string() + ": run " + std::to_string(run_.value) +
-                " is being continued by another process, too; this one stops, and nothing stored is lost");
+                " is also continued by another process; this process stops, and nothing stored is lost");
   }
   commits_ = commits + 1;
   Statement(database_,
@@ -171,7 +171,7 @@ std::optional<CheckpointRow> EeaStore::checkpoint() const {
   CheckpointRow checkpoint{numbers_in(row.bytes(0))};
   if (digest_of(checkpoint) != row.text(1)) {
     throw DamagedDatabase(database_.file().string() + ": the checkpoint of run " + std::to_string(run_.value) +
-                          " is damaged: it is not what its digest says; run again without --resume");
+                          " is damaged: it does not match its digest; run again without --resume");
   }
   return checkpoint;
 }

@@ -91,7 +91,8 @@ struct Found {
 };
 
 std::string what_it_is(const std::filesystem::path& log, const std::filesystem::path& database) {
-  return fmt::format("{}: holds changes to another database, not to {} of today", log.string(), database.string());
+  return fmt::format("{}: contains changes to another database, not to the present {}", log.string(),
+                     database.string());
 }
 
 std::string put_aside(const std::filesystem::path& log, const std::filesystem::path& database) {

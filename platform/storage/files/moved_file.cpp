@@ -72,8 +72,8 @@ std::string set_log_aside(const OpenPlace& opened) {
 
 std::string written_over(const std::filesystem::path& file, const std::string& log) {
   return file.string() +
-         ": was written over by another program while it was open; it stays as it is now, and nothing more is written. "
-         "What was stored there before is lost" +
+         ": was overwritten by another program while it was open; it stays as it is, and nothing more is written. The "
+         "earlier rows are lost" +
          log + ". Run again with --db and another file";
 }
 
@@ -88,23 +88,23 @@ std::optional<FileIdentity> identity_of(const std::filesystem::path& file) {
 std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened) {
   const bool replaced = identity_of(file).has_value();
   const Whereabouts now = find(opened.file);
-  const std::string nothing_more = " while it was open; nothing more is written. What was stored until then is ";
+  const std::string nothing_more = " while it was open; nothing more is written. The rows stored so far are ";
   const std::string here = file.string() + (replaced ? ": was replaced by another file" : "");
   if (!now.deleted && !now.place.empty() && complete_from_log(handle)) {
     remove_log(opened);
     return (replaced ? here + " and moved to " : here + ": was moved to ") + now.place.string() + nothing_more +
-           "complete there; go on with that file" + (replaced ? "" : ", or move it back");
+           "complete there; continue with that file" + (replaced ? "" : ", or move it back");
   }
   if (const std::filesystem::path copy = free_name(file); copy_to(copy, handle)) {
     remove_log(opened);
     return (replaced      ? here
             : now.deleted ? here + ": was deleted"
                           : here + ": was moved") +
-           nothing_more + "in " + copy.string() + "; rename it to go on with it";
+           nothing_more + "in " + copy.string() + "; rename it to continue with it";
   }
   const std::string log = replaced ? set_log_aside(opened) : std::string();
   return (replaced ? here : here + ": was moved or deleted") +
-         " while it was open; nothing more is written, and no copy could be made of what was stored" +
+         " while it was open; nothing more is written, and the stored rows could not be copied" +
          (replaced ? log : ". Put it back, with its -wal file beside it, or run again");
 }
 

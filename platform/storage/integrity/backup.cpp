@@ -28,7 +28,7 @@ using Progress = std::function<void(double)>;
 void check_new(const std::filesystem::path& to) {
   std::error_code unknown;
   if (std::filesystem::exists(std::filesystem::symlink_status(to, unknown)))
-    throw_problem({to.string()}, "is there already; name a new file, or move it away");
+    throw_problem({to.string()}, "already exists; name a new file, or move it away");
   if (const auto reason = why_not_writable(to)) throw_problem({to.string()}, "cannot be written: " + *reason);
 }
 
@@ -62,7 +62,7 @@ void copy_pages(const Database& from, const std::filesystem::path& to, const std
 
 [[noreturn]] void throw_damaged(const std::filesystem::path& database, const std::string& found) {
   throw DamagedDatabase(database.string() + ": is damaged (" + found +
-                        "), so no backup was made; keep the file, and go back to an earlier backup");
+                        "), so no backup was made; keep the file, and restore an earlier backup");
 }
 
 std::unique_ptr<SQLite::Database> open_draft(const std::filesystem::path& draft) {

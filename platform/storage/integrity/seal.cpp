@@ -51,12 +51,12 @@ std::optional<std::string> fault_of(const Database& database, RunId run, const T
     return std::find(now.all.begin(), now.all.end(), name) != now.all.end();
   };
   if (seal && (seal->columns.empty() || !std::all_of(seal->columns.begin(), seal->columns.end(), is_known)))
-    return "its seal is damaged";
+    return "its hash is damaged";
   const HashedRows content =
       RowHash(database, table, seal ? seal->columns : now.all, now.key).of(run, throw_if_asked_to_stop);
   const std::int64_t sealed = seal ? seal->content.rows : 0;
-  if (content.rows != sealed) return fmt::format("{} rows, {} were sealed", content.rows, sealed);
-  if (seal && content.sha256 != seal->content.sha256) return "other content";
+  if (content.rows != sealed) return fmt::format("{} rows instead of {}", content.rows, sealed);
+  if (seal && content.sha256 != seal->content.sha256) return "different content";
   return std::nullopt;
 } catch (const Interrupted&) {
   throw;
@@ -71,7 +71,7 @@ void check_run(const Database& database, RunId run, std::map<std::string, Seal> 
       check.broken.push_back({run, table.name, *fault});
     if (seal != seals.end()) seals.erase(seal);
   }
-  for (const auto& [name, seal] : seals) check.broken.push_back({run, name, "sealed, but no such table"});
+  for (const auto& [name, seal] : seals) check.broken.push_back({run, name, "the table is missing"});
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ SealCheck check_seals(const Database& database, const std::function<void(double)
     if (progress) progress(++done / static_cast<double>(ended.size()));
   }
   Statement strays(database, "SELECT DISTINCT run FROM seal WHERE run NOT IN (SELECT number FROM run)");
-  while (strays.step()) check.broken.push_back({RunId{strays.integer(0)}, "run", "0 rows, 1 was sealed"});
+  while (strays.step()) check.broken.push_back({RunId{strays.integer(0)}, "run", "0 rows instead of 1"});
   return check;
 }
 

@@ -38,7 +38,7 @@ void unseal_run(Database& database, RunId run);
 struct BrokenSeal {
   RunId run;
   std::string table;
-  std::string reason;  ///< "3 rows, 4 were sealed", "other content", why it cannot be read
+  std::string reason;  ///< "3 rows instead of 4", "different content", why it cannot be read
 };
 
 struct SealCheck {

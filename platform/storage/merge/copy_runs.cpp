@@ -142,8 +142,8 @@ class TableCopy {
         insert_.give(i + 1, *renumbered);
       } else {
         throw Error(
-            fmt::format("{}: a row of {} refers to {} {}, which the database that it is merged into has in an "
-                        "earlier state; merge into a new database",
+            fmt::format("{}: a row of {} refers to {} {}, which the target database has in an earlier state; merge "
+                        "into a new database",
                         shard_.file().string(), table_, column.name, rows_.integer(i)));
       }
     }

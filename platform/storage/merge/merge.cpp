@@ -55,8 +55,8 @@ void check_plugins(const Database& database, UsedPlugins& used, ProblemList* pro
 void check_seals(const Database& shard, ProblemList& problems) {
   for (const BrokenSeal& broken : lacuna::check_seals(shard).broken)
     problems.add({shard.file().string()},
-                 fmt::format("run {}, table {}: changed since the run ended: {}; make the shard anew", broken.run.value,
-                             broken.table, plain_text(broken.reason)));
+                 fmt::format("run {}, table {}: changed since the run ended: {}; make the shard again",
+                             broken.run.value, broken.table, plain_text(broken.reason)));
 }
 
 /// How many rows a run has in tables that are its alone.
@@ -107,7 +107,7 @@ void add_open_runs(const Database& shard, OpenRuns& known) {
   for_open_runs(shard, [&](std::int64_t number, const std::string& identity, std::string user, std::string ended) {
     if (known.contains(identity)) return;
     known[identity] = {std::move(user), std::move(ended), [rows = own_rows(shard, number)] { return rows; },
-                       "leave that one out"};
+                       "leave out that one"};
   });
 }
 
@@ -120,7 +120,7 @@ void check_known_runs(const OpenRuns& known, const Database& shard, ProblemList&
     const auto& [user, ended, rows, advice] = there->second;
     if (ended != run.text(2) || rows() != own_rows(shard, run.integer(0)))
       problems.add({shard.file().string()},
-                   fmt::format("run {} is {}, which has an earlier state of it; {}", run.integer(0), user, advice));
+                   fmt::format("run {} is also {}, in an earlier state; {}", run.integer(0), user, advice));
   }
 }
 
@@ -133,15 +133,14 @@ void check_no_run_is_carried_out(Database& into) {
   ProblemList problems;
   for (const RunId one : open)
     if (!RunClaim(into, one, silent).held())
-      problems.add({into.file().string()},
-                   fmt::format("run {} is being carried out; merge when it has ended", one.value));
+      problems.add({into.file().string()}, fmt::format("run {} is not finished; merge after it has ended", one.value));
   problems.throw_if_any();
 }
 
 /// What is taken for granted of tables, such as their references, their own text says.
 void check_schema(const Database& shard, ProblemList& problems) {
   for (const std::string& name : changed_schema(shard))
-    problems.add({shard.file().string()}, name + " is not as this program makes it; make the shard anew");
+    problems.add({shard.file().string()}, name + " differs from the one that this program makes; make the shard again");
 }
 
 void check_references(const Database& shard, ProblemList& problems) {
@@ -150,7 +149,7 @@ void check_references(const Database& shard, ProblemList& problems) {
   while (broken.step())
     if (told.emplace(broken.text(0), broken.text(2)).second)
       problems.add({shard.file().string()},
-                   plain_text(fmt::format("a row of {} refers to a row of {} that is not there; make the shard anew",
+                   plain_text(fmt::format("a row of {} refers to a missing row of {}; make the shard again",
                                           broken.text(0), broken.text(2))));
 }
 

@@ -130,7 +130,7 @@ std::optional<std::int64_t> Renumbering::shared(const std::string& table, std::i
 
 std::int64_t Renumbering::needed(const std::optional<std::int64_t>& renumbered) const {
   if (renumbered) return *renumbered;
-  throw Error(file_.string() + ": has a row that refers to what none of its runs has stored; make the shard anew");
+  throw Error(file_.string() + ": has a row that refers to a missing row; make the shard again");
 }
 
 std::optional<std::int64_t> Renumbering::revision_number(std::int64_t key) const {

@@ -60,8 +60,8 @@ std::string note_of(const Database& database, std::int64_t whole, std::int64_t r
   const std::int64_t models = one_number(database, "SELECT count(*) FROM model"),
                      tests = one_number(database, "SELECT count(*) FROM test");
   if (whole == runs || models + tests == 0) return "";
-  return fmt::format("Left out: of {} models and {} tests all that are no pass's best, with their scores{}.", models,
-                     tests, whole == 0 ? "" : fmt::format(", but for the newest {} of {} runs", whole, runs));
+  return fmt::format("Left out: of {} models and {} tests, all except the best of each pass, with their scores{}.",
+                     models, tests, whole == 0 ? "" : fmt::format(", except in the newest {} of {} runs", whole, runs));
 }
 
 }  // namespace

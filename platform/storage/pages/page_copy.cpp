@@ -188,13 +188,11 @@ double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) / 1e6; 
 
 std::string selection_note(std::int64_t whole, std::int64_t taken, std::int64_t most) {
   return fmt::format(
-      "The database has {:.1f} MB and this report shows a selection of it, {:.1f} MB{}; lacuna serve "
-      "shows all of it.",
+      "The database has {:.1f} MB; this report shows a selection of it, {:.1f} MB{}. To see everything: lacuna serve.",
       megabytes(whole), megabytes(taken),
-      taken > most ? fmt::format(", more than the {:.1f} MB it may have, because nothing else can be "
-                                 "left out",
-                                 megabytes(most))
-                   : "");
+      taken > most
+          ? fmt::format(", more than the limit of {:.1f} MB, because nothing else can be left out", megabytes(most))
+          : "");
 }
 
 /// What is copied where not everything has room.

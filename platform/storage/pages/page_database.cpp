@@ -40,7 +40,7 @@ constexpr auto kWait = kLongestPageQuery + std::chrono::seconds(5);
 void describe_views(const Database& database) {
   std::vector<ViewDescription> views = view_descriptions();
   views.push_back({"samples",
-                   "One row a sample and channel of the stored time series: trace (the id in view traces), sample "
+                   "One row per sample and channel of the stored time series: trace (the id in view traces), sample "
                    "(from 0), time (s), channel, value (SI). Say which trace.",
                    kSamplesExample});
   Statement insert(database, "INSERT INTO page_view (name, sentence, example) VALUES (?, ?, ?)");
@@ -108,7 +108,7 @@ std::vector<std::byte> PageDatabase::bytes() const {
   sqlite3_int64 size = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> image(sqlite3_serialize(database_.handle(), "main", &size, 0),
                                                               &sqlite3_free);
-  if (!image) throw Error("the pages' own database does not fit into memory");
+  if (!image) throw Error("the database of the pages does not fit into memory");
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   std::memcpy(bytes.data(), image.get(), bytes.size());
   return bytes;

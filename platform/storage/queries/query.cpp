@@ -40,15 +40,14 @@ std::string advice(sqlite3* handle, const std::string& message) {
   static constexpr std::string_view kNoModule = "no such module: ";
   if (message.starts_with(kNoTable)) {
     const std::string near = did_you_mean(message.substr(kNoTable.size()), names_of_tables(handle));
-    return near.empty() ? "; `lacuna sql FILE --views` lists what there is" : near;
+    return near.empty() ? "; to list the views: `lacuna sql FILE --views`" : near;
   }
   if (message.starts_with(kNoFunction))
-    return "; the functions that a query may use are SQLite's for numbers, texts, times, JSON, aggregates and windows";
-  if (message.starts_with(kNoModule)) return "; tables of modules other than json_each and json_tree are not read here";
+    return "; a query may use SQLite's functions for numbers, texts, times, JSON, aggregates and windows";
+  if (message.starts_with(kNoModule)) return "; of table modules only json_each and json_tree are allowed";
   if (message == "string or blob too big")
-    return fmt::format("; a value may have {} MB here", ReadingOnly::kLongestValue / 1'000'000);
-  if (message.starts_with("not authorized") || message == "authorization denied")
-    return "; only reading is allowed here";
+    return fmt::format("; a value may have at most {} MB", ReadingOnly::kLongestValue / 1'000'000);
+  if (message.starts_with("not authorized") || message == "authorization denied") return "; only reading is allowed";
   return "";
 }
 
@@ -72,12 +71,12 @@ bool is_fault_of_sql(int primary_code) {
   const int offset = sqlite3_error_offset(handle);
   const std::string message = sqlite3_errmsg(handle);
   if (reading.out_of_time())
-    throw_problem({}, fmt::format("the query takes longer than {} s and was ended",
+    throw_problem({}, fmt::format("the query took longer than {} s and was stopped",
                                   std::chrono::duration<double>(reading.longest()).count()));
-  if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted("interrupted; the query was ended");
+  if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted("interrupted; the query was stopped");
   if ((code & 0xff) == SQLITE_NOMEM)
     throw_problem(
-        {}, fmt::format("the query needs more than {} MB of memory and was ended; ask for fewer or shorter values",
+        {}, fmt::format("the query needs more than {} MB of memory and was stopped; select fewer or shorter values",
                         ReadingOnly::kMostQueryMemory / 1'000'000));
   if (!is_fault_of_sql(code & 0xff)) throw_storage_error(database.file(), code, message);
   const std::size_t place = start + (offset > 0 ? static_cast<std::size_t>(offset) : 0);

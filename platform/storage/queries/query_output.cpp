@@ -89,7 +89,7 @@ class TableOutput : public QueryOutput {
     bytes_ += sizeof(std::vector<std::string>);
     for (const std::string& text : row) bytes_ += sizeof(std::string) + text.size();
     if (bytes_ > most_bytes_)
-      throw_problem({}, fmt::format("the table needs more than {} MB of memory and was not printed; ask for fewer rows "
+      throw_problem({}, fmt::format("the table needs more than {} MB of memory and was not printed; select fewer rows "
                                     "(LIMIT 1000), or use --csv or --json, which print row by row",
                                     most_bytes_ / 1'000'000));
     rows_.push_back(std::move(row));

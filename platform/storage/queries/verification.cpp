@@ -30,9 +30,7 @@ void check_pages(const Database& database, std::vector<std::string>& damage) {
   while (found.step())
     if (found.text(0) != "ok") damage.push_back("SQLite: " + found.text(0));
   Statement keys(database, "PRAGMA foreign_key_check");
-  while (keys.step())
-    damage.push_back(
-        fmt::format("a row of {} refers to {} that is not there", keys.text(0), with_article(keys.text(2))));
+  while (keys.step()) damage.push_back(fmt::format("a row of {} refers to a missing {}", keys.text(0), keys.text(2)));
 }
 
 void check_traces(const Database& database, std::vector<std::string>& damage) {
@@ -57,7 +55,7 @@ Verification verify(const Database& database, const std::function<void(double)>&
   ask(found.damage, [&] { check_pages(database, found.damage); });
   ask(found.damage, [&] {
     for (const std::string& name : changed_schema(database))
-      found.damage.push_back(name + " is not as this program makes it");
+      found.damage.push_back(name + " differs from the one that this program makes");
   });
   ask(found.damage, [&] { found.seals = check_seals(database, progress); });
   ask(found.damage, [&] { check_traces(database, found.damage); });

@@ -78,7 +78,7 @@ void ResultStore::continue_run(RunId run) {
   Statement row(database_, "SELECT coalesce(ending, '') FROM run WHERE number = ?");
   const std::string name = database_.file().string() + ": run " + std::to_string(run.value);
   if (!row.with(run).step()) throw Error(name + " does not exist; view runs lists those that do");
-  if (row.text(0) == to_string(RunEnding::done)) throw Error(name + " is done, nothing of it is left to go on with");
+  if (row.text(0) == to_string(RunEnding::done)) throw Error(name + " is done; there is nothing to continue");
   set_run_ending(database_, run, std::nullopt);
   transaction.commit();
   run_ = run;

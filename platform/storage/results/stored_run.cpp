@@ -23,8 +23,8 @@ ExperimentRow experiment_row(Statement& row) {
 }
 
 constexpr const char* kEdited =
-    " is not the text that was stored when the run began, or has another file name (its digest is another one): the "
-    "file was edited or is damaged; restore a copy";
+    " differs from the text or file name that was stored when the run began (its digest does not match): the database "
+    "was edited or is damaged; restore a backup";
 
 /// Earlier versions of the program left out what they had decided, or the file's name, too.
 bool has_earlier_digest(const ExperimentRow& row) {

@@ -52,10 +52,11 @@ void refuse_several(const Database& database, const std::string& name, const std
     if (std::find(different.begin(), different.end(), both) == different.end()) different.push_back(both);
   }
   if (different.size() < 2) return;
-  throw_problem({database.file().string()},
-                fmt::format("\"{}\" names several trials ({}); give the number of the prediction instead, which stands "
-                            "in column id of the view traces",
-                            name, nearest_names(name, different)));
+  throw_problem(
+      {database.file().string()},
+      fmt::format(
+          "\"{}\" names several trials ({}); give the number of the prediction instead (column id of the view traces)",
+          name, nearest_names(name, different)));
 }
 
 /// The newest prediction by a fitted model comes before those by values as they were written.
@@ -98,9 +99,9 @@ std::optional<TrialPrediction> newest_prediction(const Database& database, const
   }
   throw_problem(
       {database.file().string()},
-      fmt::format("--revision {}: has no prediction of {} by this revision; {}", revision, trials.front().name,
-                  others.empty() ? "lacuna compare makes predictions"
-                                 : fmt::format("there are those of revision {}", fmt::join(others, ", "))));
+      fmt::format("--revision {}: this revision has no prediction of {}; {}", revision, trials.front().name,
+                  others.empty() ? "to make one: lacuna compare"
+                                 : fmt::format("there are predictions of revision {}", fmt::join(others, ", "))));
 }
 
 std::optional<NamedTrace> by_name(const Database& database, const TraceQuestion& question) {

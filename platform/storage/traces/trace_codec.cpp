@@ -55,11 +55,11 @@ Eigen::VectorXd decode_times(const std::vector<std::byte>& bytes, Eigen::Index c
 }
 
 [[noreturn]] void throw_inconsistent() {
-  throw Error("a stored time series is inconsistent: its parts are not of one size; restore a copy of the database");
+  throw Error("a stored time series is inconsistent: its parts have different sizes; restore a backup of the database");
 }
 
 [[noreturn]] void throw_unreadable_channels() {
-  throw Error("a stored time series is damaged: its channels cannot be read; restore a copy of the database");
+  throw Error("a stored time series is damaged: its channels cannot be read; restore a backup of the database");
 }
 
 std::vector<Channel> decode_channels(const std::string& text) try {
@@ -112,7 +112,7 @@ EncodedTrace encode_trace(const TimeSeries& series, TracePrecision precision) {
 
 TimeSeries decode_trace(const EncodedTrace& trace) {
   if (digest_of(trace) != trace.digest) {
-    throw Error("a stored time series is damaged: its bytes do not match its digest; restore a copy of the database");
+    throw Error("a stored time series is damaged: its bytes do not match its digest; restore a backup of the database");
   }
   TimeSeries series;
   series.channels = decode_channels(trace.channels);

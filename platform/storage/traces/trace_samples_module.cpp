@@ -57,7 +57,7 @@ thread_local bool samples_are_read = false;
 class ReadingOnce {
  public:
   ReadingOnce() {
-    if (samples_are_read) throw Error("not a database of Lacuna: its table trace is made of samples");
+    if (samples_are_read) throw Error("not a Lacuna database: its table trace is made of samples");
     samples_are_read = true;
   }
   ~ReadingOnce() { samples_are_read = false; }
@@ -72,7 +72,7 @@ TimeSeries read(sqlite3* handle, sqlite3_int64 trace) {
   sqlite3_stmt* prepared = nullptr;
   const int result = sqlite3_prepare_v2(handle, kQuery, -1, &prepared, nullptr);
   const Query row(prepared, [](sqlite3_stmt* statement) { return sqlite3_finalize(statement); });
-  if (result != SQLITE_OK) throw Error(std::string("not a database of Lacuna: ") + sqlite3_errmsg(handle));
+  if (result != SQLITE_OK) throw Error(std::string("not a Lacuna database: ") + sqlite3_errmsg(handle));
   sqlite3_bind_int64(row.get(), 1, trace);
   switch (sqlite3_step(row.get())) {
     case SQLITE_ROW: break;

@@ -69,7 +69,7 @@ Trial read_trial(const Database& database, TrialId id) {
   trial.centre_of_mass = series_of(database, id, TraceKind::centre_of_mass);
   if (digest_of(trial) != row.text(2)) {
     throw Error(database.file().string() + ": trial \"" + trial.name +
-                "\" is damaged: it is not what its digest says; restore a copy of the database");
+                "\" is damaged: it does not match its digest; restore a backup of the database");
   }
   return trial;
 }

@@ -433,11 +433,11 @@ function pagesOf(way, open) {
       };
       for (const [bad, says] of [
         ['SELECT * FROM nowhere', /no such table: nowhere; see “Views”/],
-        ['DELETE FROM run', /only reading is allowed here/],
+        ['DELETE FROM run', /only reading is allowed/],
         ['selekt 1', /syntax error/],
-        ["ATTACH 'x' AS y", /only reading is allowed here/],
-        ['/* 1 */ SELECT 1; -- 2\n PRAGMA query_only = OFF', /only reading is allowed here/],
-        ['WITH x AS (SELECT 1) DELETE FROM run', /only reading is allowed here/],
+        ["ATTACH 'x' AS y", /only reading is allowed/],
+        ['/* 1 */ SELECT 1; -- 2\n PRAGMA query_only = OFF', /only reading is allowed/],
+        ['WITH x AS (SELECT 1) DELETE FROM run', /only reading is allowed/],
         [' -- nothing', /there is no statement/],
       ]) {
         await run(bad);
@@ -626,7 +626,7 @@ describe('a report', () => {
     assert.ok(models > 20_000);
     assert.ok((await page.textContent('.facts')).replace(/[^0-9a-z]/g, '').includes(`models${models}`));
     assert.equal(await page.locator('.figure-title:has-text("Spread")').count(), 0);
-    assert.match(await page.textContent('.notes'), /no pass's best.*but for the newest 1 of 2 runs/);
+    assert.match(await page.textContent('.notes'), /except the best of each pass.*except in the newest 1 of 2 runs/);
     await page.waitForSelector('.figure-title:has-text("Error of the best model")');
     await go(page, url('large.html'), '#/replay');
     assert.match(await page.textContent('.empty'), /--no-robots/);
@@ -788,7 +788,7 @@ describe('on other robots and machines', () => {
     const page = await newPage(browser);
     await go(page, url('cylinders.html'), '#/replay');
     await page.waitForSelector('.stage canvas');
-    assert.match(await page.textContent('main'), /over the target.*touch the ground glow/s);
+    assert.match(await page.textContent('main'), /and the target.*touch the ground are highlighted/s);
     await shot(page, 'cylinders');
     noFaults(page);
     await page.close();
