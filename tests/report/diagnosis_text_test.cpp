@@ -177,7 +177,7 @@ TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
 
 TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
   const std::string text = diagnosis_text(diagnosis(Verdict::not_in_library), "rig.toml");
-  EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   −75 % [−80 %, −69 %] error where not"));
+  EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   −75 % [−80 %, −69 %] cross-validated"));
   EXPECT_LT(text.find("force on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
       << "the answer stands first";
   EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula '-0.0105*v*abs(v)'\n"));
