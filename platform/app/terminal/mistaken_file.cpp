@@ -71,7 +71,7 @@ void refuse_experiment_as_database(const std::string& file) {
   const bool is_there = why_no_regular_file(database).empty();
   throw_problem({file},
                 "is an experiment file, but this command needs a database: " + line_with(database, file) +
-                    (is_there ? "" : "; it does not exist yet, make it with lacuna compare " + shell_word(file)"));
+                    (is_there ? "" : "; it does not exist yet, make it with lacuna compare " + shell_word(file)));
 }
 
 }  // namespace lacuna
