@@ -101,8 +101,8 @@ Table<EstimationSection> estimation_keys() {
            "readings, without further simulation; at the end for all sensors over whole trials; readings are "
            "interpolated linearly, so a sensor that jumps needs a reading at every step; needs replay = true")
       .key("challenge", &EstimationSection::challenge, number("1").at_least(0.0),
-           "a new trial is set aside if the best model's error on it is more than this factor above its error on the "
-           "fitted trials; it counts again when models come close enough, after three passes at the latest; never the "
+           "a new trial is set aside if the best model's error on it exceeds this factor times its error on the fitted "
+           "trials; it counts again when models come close enough, after three passes at the latest; never the "
            "first two trials, nor trials with an error below a hundredth of that of a robot at rest; 0: no trial is "
            "set aside")
       .key("patience", &EstimationSection::patience, whole_number<int>(0, 1000000),

@@ -70,10 +70,10 @@ Table<ContactValues> ground_values() {
   };
   return Table<ContactValues>()
       .key<double>("stiffness", number("N/m").above(0.0).or_infinite(), kUnset, keep("stiffness"),
-                   "of the ground's spring, instead of the robot file's; inf: rigid")
-      .key<double>("damping", number("N*s/m").at_least(0.0), kUnset, keep("damping"), "of the ground's damper")
+                   "stiffness of the ground, instead of the robot file's; inf: rigid")
+      .key<double>("damping", number("N*s/m").at_least(0.0), kUnset, keep("damping"), "damping of the ground")
       .key<double>("friction", number("1").at_least(0.0).or_infinite(), kUnset, keep("friction"),
-                   "Coulomb's coefficient");
+                   "Coulomb friction coefficient");
 }
 
 struct EngineSection {
@@ -108,7 +108,7 @@ Table<EngineSettings> engine_keys() {
            "(contacts, "
            "first order); default: articulated, or ode if bodies may touch the ground")
       .key("step", &EngineSettings::step, number("s").above(0.0),
-           "sensors, effects and commands are updated once per step")
+           "duration of a step; sensors, effects and commands are updated once per step")
       .key("substeps", &EngineSettings::substeps, whole_number<int>(0, 100000),
            "integration steps per step; 0: as many as needed, found by comparing two solutions, and printed; with ode "
            "always one, because its contacts depend on the step")

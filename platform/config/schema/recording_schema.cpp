@@ -231,8 +231,8 @@ Table<RecordingSource> recording_keys() {
           "holdout", measured_files(true, 0), {}, append_files,
           "recorded: held-out files, which no fit reads. Without them, the last quarter of a single trial is held out")
       .key<std::vector<MeasuredFile>>("recording", list_of(recorded_file_keys().value()), {}, append_files,
-                                      "recorded: files with settings of each, as [[target.recording]]; in addition to "
-                                      "or instead of files and holdout")
+                                      "recorded: files with individual settings, as [[target.recording]]; in addition "
+                                      "to or instead of files and holdout")
       .key("delimiter", &RecordingSource::delimiter, delimiter(), "character between columns; \"auto\": recognised")
       .key("decimal_comma", &RecordingSource::decimal_comma, boolean(), "numbers are written like 3,14")
       .key("trial_column", &RecordingSource::trial_column, text(0),

@@ -256,7 +256,7 @@ Table<ContactSpec> contact_keys() {
       .key("ground", &ContactSpec::ground, boolean(), "whether there is a ground plane z = 0")
       .key("stiffness", &ContactSpec::stiffness, number("N/m").above(0.0).or_infinite(), "inf: rigid")
       .key("damping", &ContactSpec::damping, number("N*s/m").at_least(0.0), "of the contact")
-      .key("friction", &ContactSpec::friction, number("1").at_least(0.0).or_infinite(), "Coulomb's coefficient")
+      .key("friction", &ContactSpec::friction, number("1").at_least(0.0).or_infinite(), "Coulomb friction coefficient")
       .key("slope", &ContactSpec::slope, number("rad").between(-1.5, 1.5),
            "slope of the ground, about y; positive: descends along x");
 }
