@@ -69,7 +69,7 @@ class ShapeReading {
     study_.below_ground = below / static_cast<double>(study_.random_models);
   }
 
-  /// Scores of different passes are means over different trials, so each pass begins anew.
+  /// Scores of different passes are means over different trials, so each pass starts again.
   void read_progress(const EeaStore& store) {
     double generations = 0.0;
     for (const PassRow& pass : store.passes()) {

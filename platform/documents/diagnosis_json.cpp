@@ -39,7 +39,7 @@ ordered_json units(const std::vector<ChannelError>& errors) {
   return object;
 }
 
-/// What the errors of held-out readings and the ratio to the floor are called: the ratio is of what was fitted.
+/// Names of the errors of held-out readings and of the ratio to the floor; the ratio is that of the fitted data.
 constexpr const char* kHeldOut = "held_out_rmse";
 constexpr const char* kRatio = "fitted_ratio_to_floor";
 
@@ -123,7 +123,7 @@ ordered_json base(const Diagnosis& diagnosis) {
           {"segment_s", diagnosis.base_segment}};
 }
 
-/// What was searched; a key that is not there was not asked.
+/// Results of a search; a key that is absent was not computed.
 void add_search(const Diagnosis& diagnosis, ordered_json& whole) {
   whole["base"] = base(diagnosis);
   whole["horizons"] = list(diagnosis.horizons);

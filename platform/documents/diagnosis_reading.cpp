@@ -28,7 +28,7 @@ Verdict verdict_of(const std::string& text) {
   return Verdict::cannot_tell;
 }
 
-/// Empty where the document does not have it: nobody asked, or the document is of before.
+/// Empty if the document does not have it: it was not computed, or an older version wrote the document.
 ordered_json list_of(const ordered_json& whole, const char* name) { return whole.value(name, ordered_json::array()); }
 
 Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered_json& interval) {

@@ -127,7 +127,7 @@ const Named* find_channel(const std::vector<Named>& channels, const std::string&
   return found == channels.end() ? nullptr : &*found;
 }
 
-/// The target's channel that the model's is; null, and a complaint, where there is none of that name and dimension.
+/// The target's channel for a channel of the model; null, with a fault, if none has its name and dimension.
 template <class Described>
 const Described* counterpart(const std::vector<Described>& channels, const Channel& wanted, const std::string& noun,
                              std::vector<std::string>& complaints) {

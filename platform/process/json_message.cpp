@@ -17,7 +17,7 @@ constexpr const char* kOnlyMessages =
     "; its standard output may contain only messages, each a JSON object on a separate line; write everything else to "
     "standard error";
 
-/// Python and others write these where a number is none; JSON knows them not.
+/// Python and others write these for NaN and infinity; they are not JSON.
 bool has_no_number(const std::string& line) {
   return line.find("NaN") != std::string::npos || line.find("Infinity") != std::string::npos;
 }

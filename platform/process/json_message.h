@@ -30,9 +30,9 @@ class JsonMessage {
   /// time, is thrown as an `Error`, whatever its type. An error may come without.
   JsonMessage(const std::string& line, const std::string& type, std::uint64_t id);
 
-  /// A member; null where there is none.
+  /// A member; null if it is missing.
   const nlohmann::json* find(const std::string& name) const;
-  /// The same; a fault where there is none.
+  /// The same; a missing member is a fault.
   const nlohmann::json* need(const std::string& name, const std::string& meaning);
   /// Fit to be printed (`plain_text`).
   std::string text(const std::string& name, const std::string& meaning);

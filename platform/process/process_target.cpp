@@ -29,8 +29,8 @@ ProcessTarget::ProcessTarget(ProcessTargetSetting setting)
 
 ProcessTarget::~ProcessTarget() = default;
 
-/// Makes of whatever fails a sentence about the program, which is ended: nobody knows what it would say next. One that
-/// refuses a test by the book goes on.
+/// Turns any failure into a sentence about the program and ends the program, because its next lines would be out of
+/// step. A program that refuses a test with an error message continues.
 template <class Call>
 decltype(auto) ProcessTarget::guarded(const std::string& limit, Call&& call) {
   try {

@@ -18,7 +18,7 @@ namespace lacuna {
 
 class ChildLines;
 
-/// What an outside target is held against.
+/// The model's names, units and limits, which the program must match.
 struct ProcessTargetSetting {
   ProcessSource source;
   SourceLocation location;               ///< of the command in the experiment file
@@ -60,7 +60,7 @@ class ProcessTarget : public ExternalProgram {
   std::unique_ptr<ChildLines> lines_;
   std::uint64_t number_ = 0;
   std::uint64_t sent_ = 0;  ///< tests, to all programs that were started
-  bool was_fit_ = false;    ///< it has said what it is, and fitted the model
+  bool was_fit_ = false;    ///< it has sent its hello, which matches the model
 };
 
 }  // namespace lacuna

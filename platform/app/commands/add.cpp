@@ -65,7 +65,7 @@ std::pair<std::string, double> parse_start(const std::string& text) {
   throw_problem({}, "--start " + text + ": write PARAMETER=NUMBER in SI units, as in --start torque=0.1");
 }
 
-/// Those that the editor of the list would meet later, and say less well.
+/// Problems that the editor of the list would report later and less clearly.
 void check_id(const std::string& id, const EffectList& effects) {
   if (!id.empty() && !is_element_name(id))
     throw_problem({}, "--id " + id + ": is not a valid id; use letters, digits, _ and -");
@@ -88,8 +88,8 @@ std::string typed(const std::string& key, const AddOptions& options) {
   return key == "id" ? "--id" : options.effect;
 }
 
-/// The experiment with the effect in it. What is wrong with the effect alone is said of the command's arguments: its
-/// entry stands in no file yet.
+/// The experiment with the effect in it. Problems of the effect alone name the command's arguments, because its entry
+/// is in no file yet.
 Rig open_extended(const AddOptions& options, const std::string& edited, const Rig& base) {
   try {
     return open_rig(options, edited, base.catalog);
@@ -117,7 +117,7 @@ std::optional<std::string> shared_place(const EffectEntry& a, const EffectEntry&
   return std::nullopt;
 }
 
-/// A second effect of one kind in one place is most often a command given twice; an id of its own says that it is not.
+/// A second effect of the same kind in the same place is usually a repeated command; an explicit id allows it.
 void check_new(const AddOptions& options, const std::string& id, const EffectList& placed) {
   if (!options.id.empty()) return;
   const auto added = std::find_if(placed.begin(), placed.end(), [&](const auto& entry) { return entry.id == id; });

@@ -43,7 +43,7 @@ int say(const char* sentence, int code) {
   return code;
 }
 
-/// Also while it is said that the variable has no known value.
+/// False as well while the wrong value of the variable is reported.
 bool wants_json_messages() {
   try {
     return messages_are_json();
@@ -57,14 +57,14 @@ int say_no_memory() {
   return kFailed;
 }
 
-/// Where nothing may be thrown any more.
+/// For places that must not throw.
 [[noreturn]] void end_without_memory() {
   say_no_memory();
   CallPage::close(kFailed);
   _exit(kFailed);
 }
 
-/// The C library loads what it unwinds with when it first does: where memory is used up by then, it ends the process.
+/// The C library loads its unwinder at the first use and ends the process if there is no memory for it by then.
 void load_unwinder() {
   void* frame = nullptr;
   backtrace(&frame, 1);

@@ -59,7 +59,7 @@ void add_runs(Database& database, std::vector<NamedRuns>& named) {
   }
 }
 
-/// Experiments that several databases have are told apart by these: by their names, or where they lie.
+/// Labels that distinguish experiments of several databases: the names of the files, or their paths.
 void tell_apart(std::vector<NamedRuns>& named) {
   std::map<std::string, int> times, times_in_file;
   for (const NamedRuns& runs : named) {

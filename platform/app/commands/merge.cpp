@@ -35,7 +35,7 @@ struct Source {
   std::size_t task = 0;
 };
 
-/// What is to be merged, and what of plans is not there to be.
+/// The shards to merge, and the tasks of plans that have none.
 struct Sources {
   std::list<TaskFolder> plans;
   std::vector<Source> all;

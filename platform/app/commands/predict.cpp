@@ -162,7 +162,7 @@ std::vector<std::pair<std::string, std::size_t>> structures_of(const PassEnsembl
   return structures;
 }
 
-/// That no model was held against.
+/// Channels on which no model was scored.
 std::vector<std::string> unscored_channels(const EeaDefinition& definition) {
   std::vector<std::string> unscored;
   const std::vector<std::string>& scored = definition.scored_channels;

@@ -32,7 +32,7 @@ std::string on_one_line(std::string reason) {
   return plain_text(reason);
 }
 
-/// What each of them is at is said of those that somebody may have to look after.
+/// Prints details only of tasks that may need attention.
 void print_task(std::size_t number, const TaskStatus& status) {
   const std::string who = fmt::format("{}, {}", plain_text(status.machine), plain_text(status.time));
   if (status.state == TaskState::failed)

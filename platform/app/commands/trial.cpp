@@ -48,7 +48,7 @@ CommandSeries until(CommandSeries commands, double end) {
   return commands;
 }
 
-/// What a trial is stored in: a run of its own, begun in a transaction of the caller's.
+/// Each trial is stored in a separate run, begun in a transaction of the caller.
 struct TrialRun {
   RunId run;
   ExperimentId experiment;
@@ -146,7 +146,7 @@ std::string recording_lines(const TrialOptions& options, const KnownSetup& setup
   return lines;
 }
 
-/// The rig as it has to be, where recordings differ in that.
+/// The setup that the rig must have, if recordings have setups.
 std::string setup_advice(const TrialOptions& options, const KnownSetup& setup) {
   return fmt::format(
       "{}{}\nset the rig up like this, apply these commands, record it, and add the measured file to {}:\n{}",

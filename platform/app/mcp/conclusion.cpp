@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 constexpr int kWasDone = 0, kWasBadInput = 2, kWasStopped = 75;
 constexpr std::size_t kMostText = 20000;  // bytes of what a command prints
 
-/// What an agent is told of a call, beside the command's own result.
+/// Sentence, verdict and next calls that an agent gets with the command's result.
 struct Conclusion {
   std::string sentence;
   ordered_json more = ordered_json::object();  ///< verdict, probability, record_next

@@ -21,7 +21,7 @@ class McpServer {
   /// `write`: is given each message, a line without its newline.
   McpServer(std::vector<Tool> tools, CallPlace place, std::function<void(const std::string&)> write);
 
-  /// A line of the client. What is wrong with it is answered, never thrown.
+  /// A line of the client. A wrong line gets an error as answer; nothing is thrown.
   void take(const std::string& line);
   /// Answers that a line was longer than `longest` bytes.
   void refuse_long_line(std::size_t longest);

@@ -33,7 +33,8 @@ class ToolCall {
   ToolCall(const ToolCall&) = delete;
   ToolCall& operator=(const ToolCall&) = delete;
 
-  /// Asks the command to end, as Ctrl-C does: what it has found so far is stored. One that does not heed is ended.
+  /// Asks the command to end, as Ctrl-C does: what it has found so far is stored. A command that does not react is
+  /// ended.
   void cancel();
   /// What it came to; nothing while it runs.
   std::optional<CallOutcome> look();

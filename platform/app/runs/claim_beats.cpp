@@ -14,7 +14,7 @@ void beat(Database& database, std::mutex& writing) {
   try {
     beat_claims(database);
   } catch (const std::exception&) {
-    // What cannot be written any more is said by the next commit.
+    // The next commit reports that the file cannot be written.
   }
 }
 

@@ -59,7 +59,7 @@ void check_controllers(const EeaDefinition& definition, const Experiment& experi
         "its actuators differ from those of the model's robot, and controllers need the same ones in the same order");
 }
 
-/// What models are scored by and the target does not read would count as right, whatever they foretell.
+/// A channel without measurements would count as right whatever a model predicts.
 void check_readings(const EeaDefinition& definition, const RobotSpec& target, Complaints& complaints) {
   const std::vector<Channel> there = sensor_channels(target);
   std::string missing;

@@ -23,7 +23,7 @@ class EeaBench {
   /// The robot of a simulated target; none of a recorded one.
   const ModelDefinition* target() const { return target_.get(); }
 
-  /// What the target hides in that replicate; empty where it is not simulated.
+  /// Hidden values of the target in that replicate; empty if it is not simulated.
   std::vector<double> hidden_values(int replicate) const;
   /// The same for the model's free values; NaN where the target has no such value.
   std::vector<double> truth(int replicate) const;

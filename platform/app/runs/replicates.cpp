@@ -49,7 +49,7 @@ class ShownJournal : public StoreJournal {
   std::size_t index_;
 };
 
-/// A rig does one thing at a time.
+/// A rig carries out one trial at a time.
 int most_side_by_side(const EeaBench& bench) {
   const TargetSection& target = bench.rig().experiment.target;
   return target.kind == "process" ? target.process.copies : std::numeric_limits<int>::max();

@@ -48,7 +48,7 @@ void check_accepted(const RunOptions& options, const EeaBench& bench) {
   problems.throw_if_any();
 }
 
-/// How a run goes on with the builds that there are now.
+/// How a run can continue with the present builds of its plugins.
 std::string how_to_accept(const std::vector<ChangedPlugin>& changed) {
   std::vector<std::string> options;
   for (const ChangedPlugin& plugin : changed)
@@ -60,8 +60,8 @@ std::string how_to_accept(const std::vector<ChangedPlugin>& changed) {
       changed.size() == 1 ? "" : "s", fmt::join(options, " "));
 }
 
-/// In what the run was begun with something else than there is now; empty: it can go on. How a target's program is run
-/// is none of it: a limit that was too short may be raised, a rig that has moved may have another port.
+/// Differences between the settings at the beginning of the run and now; empty: it can continue. How a target's program
+/// is run does not count: a limit may be raised, and a rig may have another port.
 std::string difference(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
   const Experiment& file = bench.rig().experiment;
   std::vector<std::string> other;
@@ -87,7 +87,7 @@ RunClaim claim_by(Clock::time_point deadline, Database& database, RunId run, con
   }
 }
 
-/// Takes the run into the plan, or says why not. Whether it was begun with what there is now.
+/// Adds the run to the plan, or records the reason why not. Returns whether it was begun with the present settings.
 bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, Database& database,
               const std::vector<ForeignClaim>& silent, Clock::time_point deadline, RunPlan& plan) {
   const StoredRun stored = stored_run(database, run.run);

@@ -28,7 +28,7 @@ std::vector<KeptTrial> stored_trials(const EeaStore& store);
 
 RunTrial run_trial(const EeaDefinition& definition, KeptTrial stored);
 
-/// As a test whose outcome nobody knows: where it has a controller, that answers to the model, whatever commands the
+/// As a test with unknown outcome: its controller, if there is one, reacts to the model, whatever commands the
 /// target received.
 ScoredTrial as_foretold(const RunTrial& trial);
 

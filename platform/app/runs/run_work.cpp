@@ -116,7 +116,7 @@ void print_next(const std::vector<ReplicateEnd>& ends, const Database& database)
     fmt::print("→ lacuna plot {}\n", shell_word(database.file().string()));
 }
 
-/// What was asked for and is not done, in sentences.
+/// Requests of the command line that are ignored, in sentences.
 std::vector<std::string> not_done(const RunOptions& options, const Experiment& experiment, const RunPlan& plan,
                                   bool goes_on) {
   std::vector<std::string> all = plan.left;

@@ -31,7 +31,7 @@ std::unique_ptr<EeaBench> open_bench(const CommonOptions& options, const std::st
   }
 }
 
-/// A key that is set anew loses its old value.
+/// Setting a key again replaces its old value.
 std::vector<std::string> put_over(std::vector<std::string> overrides, const std::vector<std::string>& newer) {
   for (const std::string& one : newer)
     std::erase_if(overrides, [&](const std::string& old) { return overridden_key(old) == overridden_key(one); });

@@ -110,7 +110,7 @@ void check_settings(const std::vector<std::string>& overrides, const std::vector
   problems.throw_if_any();
 }
 
-/// Adds the tasks at one point of the sweep; what is wrong there is said of the sweep, not of a setting.
+/// Adds the tasks at one point of the sweep; problems there name the sweep, not a setting.
 void add_point(const PlanOptions& options, CommonOptions point, const std::vector<std::string>& settings,
                TaskPlan& plan, Inputs& inputs) {
   point.overrides.insert(point.overrides.end(), settings.begin(), settings.end());
@@ -134,7 +134,7 @@ void add_experiment(const PlanOptions& options, const std::filesystem::path& fil
   base.overrides = options.overrides;
   base.plugin_paths = plan.plugin_paths;
   base.seed = options.seed;
-  base.database = nothing / "none.db";  // what others have stored is none of the task's
+  base.database = nothing / "none.db";  // stored results of others do not belong to the task
   const Experiment experiment = read_experiment(base.experiment, base.overrides);
   const std::vector<SweptKey> swept =
       swept_keys(options.with_sweep_of_file ? experiment.sweep : std::vector<SweptKey>(), typed);

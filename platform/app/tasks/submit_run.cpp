@@ -29,7 +29,7 @@ PlanOptions plan_options(const RunOptions& options) {
           .kind = TaskKind::run};
 }
 
-/// What concerns one process has no meaning for many, and is not passed over in silence.
+/// Options of one process have no meaning for many tasks, so they are refused.
 void check_options(const RunOptions& options, const SlurmOptions& slurm) {
   struct Given {
     bool is_given;
@@ -53,7 +53,7 @@ void check_options(const RunOptions& options, const SlurmOptions& slurm) {
   problems.throw_if_any();
 }
 
-/// The job that merges may come days later, and nobody may look at what it says.
+/// The merging job may run days later without anybody watching its output.
 void check_database(const std::filesystem::path& file) {
   const NewDatabase nothing_yet(file);
   Database::open(file);

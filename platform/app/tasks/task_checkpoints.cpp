@@ -16,7 +16,7 @@ TaskCheckpoints::TaskCheckpoints(const TaskFolder& folder, std::size_t number, s
         while (!until.wait_for(lock, stop, between, [&] { return stop.stop_requested(); })) try {
             folder.keep_checkpoint(number, database);
           } catch (const std::exception&) {
-            // What cannot be written is said where the task hands its results in.
+            // A failure to write is reported when the task hands in its results.
           }
       }) {}
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kShortCall = 10.0;  // s
 
-/// Calls that tell what a component is, or change a few numbers.
+/// Calls that describe a component or change a few numbers.
 constexpr std::array<std::string_view, 11> kShortCalls = {"describe",
                                                           "stages",
                                                           "summary",

@@ -72,7 +72,7 @@ bool is_traced(pid_t process) {
   return false;
 }
 
-/// What the child is in that does not end: a plugin's call first of all.
+/// The call in which the child hangs; a plugin's call has priority.
 std::optional<ActiveCall> held_by() {
   std::optional<ActiveCall> held;
   for (const BusyThread& thread : CallPage::busy()) {

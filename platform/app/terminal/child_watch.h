@@ -28,7 +28,7 @@ struct WatchedEnd {
   double limit = 0.0;              ///< s, that it went beyond; 0: there was none
 };
 
-/// Signals by which users and shells end a program.
+/// Signals with which users and shells end a program.
 bool is_wish(int signal);
 
 /// From now on this process, and those that it forks, ignore wishes to end: whoever began them ends them.

@@ -4,8 +4,8 @@
 
 namespace lacuna {
 
-/// A new folder in the system's place for such, which nobody else can look into and which ends with the object. What
-/// killed processes of this machine have left is removed by a later one, a day after.
+/// A new folder in the system's place for such, which other users cannot read and which is removed with the object.
+/// What killed processes of this machine have left is removed by a later one, a day after.
 class ScratchFolder {
  public:
   /// Throws `Error` where none can be made.

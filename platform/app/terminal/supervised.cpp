@@ -82,7 +82,7 @@ ChildLoss by_unheeding(const ActiveCall& call) {
   return {"", deed, deed + kDatabaseIsSafe, false, true};
 }
 
-/// By which a user, or a closed pipe, ended the child; 0: it ended otherwise.
+/// The signal of a user or a closed pipe that ended the child; 0: it ended otherwise.
 int signal_of_others(const WatchedEnd& end) {
   const int signal = WIFSIGNALED(end.status) ? WTERMSIG(end.status) : 0;
   return signal == SIGPIPE || signal == SIGXCPU || is_wish(signal) ? signal : 0;
@@ -169,7 +169,7 @@ ChildLoss loss_of(const WatchedEnd& end) {
   return calls.empty() ? by_nobody(end) : by_plugins(end, calls);
 }
 
-/// Whether the work begins anew without the component that ended it, of which the child that comes next knows.
+/// Whether the work starts again without the component that ended it; the next child is told of it.
 bool begins_anew(const WatchedEnd& end, const ChildLoss& loss) {
   if (end.asked || loss.component.empty() || !CallPage::allows_new_beginning() || CallPage::refusal_of(loss.component))
     return false;

@@ -19,7 +19,7 @@
 namespace lacuna {
 namespace {
 
-/// Goes on from where an interrupted call came to, and keeps where it comes to itself.
+/// Continues from the state of an interrupted call, and stores its state.
 Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench) {
   bench.ledger().check_kept();
   const Rig& rig = bench.rig();
@@ -60,7 +60,7 @@ Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) {
   return {std::move(made)};
 }
 
-/// An effect that stands for readings of a wrong scale is not what to add.
+/// If an effect only compensates for a wrong scale of the readings, correct the scale instead of adding it.
 std::string correction_before_adding(const Rig& rig, const Diagnosis& diagnosis) {
   if (diagnosis.verdict != Verdict::effect_found && diagnosis.verdict != Verdict::not_in_library) return "";
   const std::string lines = scale_correction(rig);

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// Prints what a draft was guessed from: the clock, a table of joints with their columns, what is not used, and the
+/// Prints the guesses of a draft: the clock, a table of joints with their columns, unused columns, and the
 /// recordings.
 void print_guesses(const RigDraft& draft);
 

@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// The head of an exported file: which revision of which experiment, and each fitted value with its interval.
+/// The comment at the top of an exported file: experiment, revision, and each fitted value with its interval.
 std::string export_comment(const Rig& rig, int revision, const FitResult& fit);
 
 /// The model table of an experiment in which the exported robot predicts what the model does, with `comment` at its

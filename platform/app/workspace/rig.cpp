@@ -32,7 +32,7 @@ void note_inputs(const Experiment& experiment, const CommonOptions& options) {
   note_database(database_of(options, experiment));
 }
 
-/// With its plugins and what its model is.
+/// With its plugins and its model.
 Rig define(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
   Rig rig;
   rig.experiment = std::move(experiment);
@@ -77,7 +77,7 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   return rig;
 }
 
-/// Those of one run of the algorithm; what showed how a test transfers was fitted by no model, and is held out.
+/// Trials of one run of the algorithm; no model was fitted to transfer trials, so they are held out.
 std::vector<Trial> trials_of(Database& database, RunId run) {
   std::mutex unused;
   const EeaStore store(database, unused, run, {});

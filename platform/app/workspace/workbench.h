@@ -20,7 +20,7 @@ namespace lacuna {
 /// When a model becomes a revision in the database.
 enum class Entry {
   at_once,        ///< it is what the experiment file says
-  with_its_file,  ///< by `Workbench::enter`: the file says so only then
+  with_its_file,  ///< by `Workbench::enter`, because the file is edited only then
 };
 
 /// A command's way from an experiment file to a fitted, stored model. One fitter for all commands:

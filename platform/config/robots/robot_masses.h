@@ -7,7 +7,7 @@
 namespace lacuna {
 
 /// The body with sizes of its shapes, mass, centre of mass and inertia resolved: as given, else
-/// from its shapes. What is missing, given twice or impossible is a problem.
+/// from its shapes. Missing, repeated or impossible values are problems.
 BodySpec resolve_body(const BodyInFile& body, const Locations& locations, Reading& reading);
 
 }  // namespace lacuna

@@ -13,7 +13,7 @@ std::string vector_toml(const Eigen::Vector3d& v) {
   return fmt::format("[{}, {}, {}]", toml_number(v.x()), toml_number(v.y()), toml_number(v.z()));
 }
 
-/// Without the rounding error of the conversion, so that what is read back is written as the same.
+/// Without the rounding error of the conversion, so that reading and writing again gives the same text.
 double whole_angle(double angle) {
   constexpr double kPerRadian = 1e15;
   return std::round(angle * kPerRadian) / kPerRadian + 0.0;

@@ -201,7 +201,7 @@ Table<MeasuredFile> recorded_file_keys() {
 
 Value<char> delimiter() { return choice<char>({{"auto", '\0'}, {",", ','}, {";", ';'}, {"\t", '\t'}, {" ", ' '}}); }
 
-/// What tells trials apart, or follows a controller from sample to sample, is one file's.
+/// A column of trials, or a controller that acts at each sample, belongs to one file.
 void check_further_files(const TomlNode&, Reading& reading, RecordingSource& source) {
   for (const MeasuredFile& file : source.files) {
     if (file.with.empty()) continue;

@@ -17,7 +17,7 @@
 
 namespace lacuna {
 
-/// How a `T` stands in a file: what may be written, how it is read, and how a default is shown.
+/// How a `T` is written in a file: allowed values, how it is read, and how a default is shown.
 template <class T>
 struct Value {
   Shape shape;

@@ -77,7 +77,7 @@ Figure missing_figure(const Diagnosis& diagnosis, const std::string& joint, cons
   return force_figure(diagnosis.missing_force, joint, fmt::format("{} · missing force on joint.{}", title, joint));
 }
 
-/// What no effect explains, and the formula for it if there is one.
+/// The force that no effect explains, with its formula if there is one.
 Figure residual_figure(const Diagnosis& diagnosis, const std::string& joint, const std::string& title) {
   std::string whole = fmt::format("{} · force on joint.{}", title, joint);
   for (const ForceFormula& formula : diagnosis.formulas)

@@ -210,7 +210,7 @@ bool is_labelled(const Panel& panel) {
   return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) { return is_listed(series); });
 }
 
-/// One panel's legend stands for all where no other has one.
+/// If only one panel has a legend, it is the legend of all.
 bool has_one_key(const Figure& figure) {
   return std::count_if(figure.panels.begin(), figure.panels.end(), is_labelled) == 1;
 }

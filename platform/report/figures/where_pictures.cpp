@@ -35,7 +35,7 @@ std::vector<std::size_t> drawn_channels(const ResidualView& view) {
   return order;
 }
 
-/// What a bar stands for.
+/// Label of a bar.
 struct Part {
   std::string name;
   double error = 0.0, samples = 0.0;

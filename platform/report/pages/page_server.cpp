@@ -33,7 +33,7 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// What this thread does until it ends, however it ends, is spent of a share.
+/// Charges the processor time of this thread, until it ends in any way, to a share.
 class Spending {
  public:
   explicit Spending(ProcessorShare& share) : share_(share) {}
@@ -146,7 +146,7 @@ struct PageServer::Impl {
     return found;
   }
 
-  /// A change is told when what the last one made viewers ask is within the share, and to all of them at once.
+  /// A change is announced, to all viewers at once, when the requests that the last change caused are within the share.
   std::string stamp_to_tell() {
     const std::string stamp = stamp_of(options.database);
     if (stamp.empty()) {

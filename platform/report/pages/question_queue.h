@@ -13,7 +13,7 @@ namespace lacuna {
 class QuestionQueue {
  public:
   QuestionQueue(int threads, std::size_t most_waiting);
-  /// Waits for what is being done; what only waits is forgotten.
+  /// Waits for running work; waiting work is dropped.
   ~QuestionQueue();
   QuestionQueue(const QuestionQueue&) = delete;
   QuestionQueue& operator=(const QuestionQueue&) = delete;

@@ -66,7 +66,7 @@ WebAnswer sentence(int status, const std::string& text) {
   return {status, "text/plain; charset=utf-8", std::make_shared<const std::string>("lacuna serve: " + text + "\n")};
 }
 
-/// None: there is nobody to tell.
+/// None: the client has gone.
 std::optional<WebAnswer> answer_to(error_code fault) {
   if (fault == http::error::header_limit) return sentence(431, "the header is longer than 16 KB");
   if (fault == http::error::body_limit || fault == http::error::buffer_overflow)

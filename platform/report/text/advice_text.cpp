@@ -25,8 +25,8 @@ double scored_trials(const Comparison& comparison, const PooledScore& pooled) {
   return count;
 }
 
-/// What a right model may leave. A start error is one draw a trial: 1 + 1/√n standard errors is, within 3 %, what the
-/// RMS of n such draws stays below 19 times in 20 (√(χ²/n)).
+/// The error that a right model may have. The error of an initial state is one draw per trial: with 95 % probability
+/// the RMS of n such draws is below 1 + 1/√n standard errors (√(χ²/n), within 3 %).
 double explained(const Comparison& comparison, const PooledScore& score) {
   const double trials = std::max(scored_trials(comparison, score), 1.0);
   return std::hypot(score.floor, (1.0 + 1.0 / std::sqrt(trials)) * score.from_start);
@@ -64,13 +64,13 @@ const PooledScore* furthest(const Comparison& comparison, bool held_out) {
   return worst;
 }
 
-/// Why an error that its start explains may be a right model's.
+/// That the initial-state uncertainty explains the error.
 std::string by_the_start(const Comparison& comparison, const PooledScore& score) {
   return fmt::format("which the initial-state uncertainty can explain (a right model has up to {} × with such starts)",
                      times_floor_text(kAtTheFloor * explained(comparison, score) / score.floor));
 }
 
-/// That the fit trials' error is where a right model's may be, and why.
+/// That the error of the fit trials may be that of a right model, with the reason.
 std::string at_the_floor(const Comparison& comparison, const PooledScore& score) {
   const std::string times = times_floor_text(score.times_floor);
   if (score.times_floor <= kAtTheFloor)
@@ -78,7 +78,7 @@ std::string at_the_floor(const Comparison& comparison, const PooledScore& score)
   return fmt::format("Error is {} × the noise floor, {}", times, by_the_start(comparison, score));
 }
 
-/// What the held-out trials say against a model that is at the floor of the fit trials.
+/// Evidence of the held-out trials against a model that is at the noise floor on the fit trials.
 std::string held_out_text(const Comparison& comparison, const std::string& diagnose) {
   const PooledScore* worst = furthest(comparison, true);
   if (worst == nullptr || !(worst->times_floor > kAtTheFloor)) return "";

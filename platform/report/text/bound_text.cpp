@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-/// Whether shorter segments told value `i` differently.
+/// Whether shorter segments gave another value `i`.
 bool moved_to_its_bound(const FitResult& fit, std::size_t i) {
   if (fit.stages.size() < 2) return false;
   return moved({fit.stages[fit.stages.size() - 2].values[i]}, {fit.values[i].value});

@@ -18,7 +18,7 @@
 namespace lacuna {
 namespace {
 
-/// Shares of the floor below which what the start leaves uncertain is not worth a word.
+/// Share of the noise floor below which the initial-state uncertainty is not printed.
 constexpr double kStartWorthASay = 0.1;
 
 std::string quantity(double value, const std::string& unit) {
@@ -35,10 +35,10 @@ std::string heading_line(const ComparisonHeading& heading, const Comparison& com
   return line + (heading.reused ? " (fit from the database)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
 }
 
-/// Of a file whose floor is so many times another one than that of all fit files, it is shown.
+/// The floor of a file is printed if it differs from that of all fit files by this factor.
 constexpr double kAnotherFloor = 1.5;
 
-/// The file's own floor in words, where it is another one than `floor`.
+/// The floor of the file in words, if it differs from `floor`.
 std::string own_floor(const ChannelScore& score, double floor) {
   const double times = score.floor / floor;
   if (!(times > kAnotherFloor || times < 1.0 / kAnotherFloor)) return "";

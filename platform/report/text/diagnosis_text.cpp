@@ -32,7 +32,7 @@ std::string gain_text(const Gain& gain) {
   return fmt::format("{:+.0f} ± {:.0f}", gain.value, kWithin95 * gain.standard_error);
 }
 
-/// By how much the mean error where it was not fitted differs, from one end of the interval to the other.
+/// Change of the mean cross-validated error, with its interval.
 std::string smaller_text(const Gain& gain) {
   const auto change = [](double nats) { return error_change_text(std::exp(-nats), 1.0); };
   return fmt::format("{} [{}, {}]", change(gain.value), change(gain.upper_95), change(gain.lower_95));
@@ -44,7 +44,7 @@ std::string change_text(double before, double after, const std::string& unit) {
   return fmt::format("{} → {}", format_quantity(before, unit, 3), format_quantity(after, unit, 3));
 }
 
-/// Errors by horizon: of the model as it is and with the answer, fitted and held out.
+/// Errors by segment length: of the model alone and with the answer, fit and held out.
 std::string horizons_text(const Diagnosis& diagnosis) {
   const bool has_answer = diagnosis.verdict == Verdict::effect_found;
   std::vector<std::vector<std::string>> rows = {{"prediction error", "fit", "", "held out", "", "noise floor"}};
@@ -98,7 +98,7 @@ std::string effect_text(const FoundEffect& effect) {
                         : fmt::format("{}: {}{}", effect.effect, parameters_text(effect.parameters), held_text(effect));
 }
 
-/// The answer's effects with their values, and what these data do not tell from the last of them.
+/// The answer's effects with their values, and the effects that are indistinguishable from the last of them.
 std::string answer_text(const RankedModel& answer) {
   std::string text;
   for (const FoundEffect& effect : answer.effects) text += fmt::format("   {}\n", effect_text(effect));
@@ -107,7 +107,7 @@ std::string answer_text(const RankedModel& answer) {
   return text;
 }
 
-/// Gains of earlier versions' likelihoods are no errors.
+/// Gains of earlier versions are likelihoods, not errors.
 bool is_by_likelihood(const Diagnosis& diagnosis) { return diagnosis.method == DiagnosisMethod::likelihood; }
 
 std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, bool by_likelihood) {
@@ -137,7 +137,7 @@ std::string formula_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// The ranking and, where there is one, the formula: what is to be added first stands first.
+/// The ranking and the formula, if there is one; the one to add first is printed first.
 std::string answers_text(const Diagnosis& diagnosis) {
   if (diagnosis.formulas.empty() || diagnosis.ranking.empty()) return formula_text(diagnosis) + ranking_text(diagnosis);
   if (diagnosis.verdict == Verdict::effect_found)
@@ -145,7 +145,7 @@ std::string answers_text(const Diagnosis& diagnosis) {
   return formula_text(diagnosis) + "best candidates of the library:\n" + ranking_text(diagnosis);
 }
 
-/// Each reason with the effects that it keeps out: first what plugins failed in.
+/// Each reason with the effects that could not be tested: failures of plugins first.
 std::string untestable_text(const Diagnosis& diagnosis) {
   std::map<std::pair<bool, std::string>, std::vector<std::string>> by_reason;
   for (const Untestable& one : diagnosis.untestable)
@@ -157,7 +157,7 @@ std::string untestable_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// What was tried, and whether chance does as much.
+/// Number of candidates, and the probability that noise alone gains as much.
 std::string chance_text(const Diagnosis& diagnosis) {
   std::string text = fmt::format("{} {} tried", counted(diagnosis.hypotheses, "candidate"),
                                  diagnosis.hypotheses == 1 ? "was" : "were");
@@ -166,7 +166,7 @@ std::string chance_text(const Diagnosis& diagnosis) {
   return text + fmt::format("; error of the model alone {:.3g} × floor\n", diagnosis.base_times_floor);
 }
 
-/// In a setup the commands alone are not the test, so that the line to type names it, too.
+/// With setups, the commands alone do not define the test, so the line to type names the setup too.
 std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   if (diagnosis.next_test.empty()) return "";
   std::string text = fmt::format("next test, to separate {} from the nearest other candidate: {}\n",

@@ -11,7 +11,7 @@ std::string verdict_text(const Diagnosis& diagnosis);
 
 /// Verdict, errors by horizon, ranking with gains and look-alikes, values, findings, what could not be tested. `file`:
 /// the experiment's, for the command to go on with; `options`: what to type behind it, as in " --db rig.db".
-/// `correction`: what a data check says to write into the file before anything is added; empty: nothing.
+/// `correction`: lines that a data check proposes for the file before an effect is added; empty: none.
 std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options = "",
                            const std::string& correction = "");
 

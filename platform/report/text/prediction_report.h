@@ -18,7 +18,7 @@ struct MeasuredTest {
   TimeSeries measured;
 };
 
-/// What several models of a run say of a test, and what that is worth.
+/// Prediction of a test by several models of a run, with its calibration.
 struct PredictionReport {
   std::string experiment;
   std::int64_t run = 0;
@@ -30,7 +30,7 @@ struct PredictionReport {
   std::vector<std::pair<std::string, std::size_t>> structures;  ///< of the models, and how many have it
   std::size_t copies = 0;                                       ///< of models, which do not count
   std::size_t refuted = 0;                                      ///< models left out (PassEnsemble)
-  std::vector<std::string> unscored;                            ///< channels that no model was held against
+  std::vector<std::string> unscored;                            ///< channels on which no model was scored
   std::vector<double> noise;                                    ///< of a reading, one a channel (PassEnsemble)
   EnsemblePrediction prediction;                                ///< the band is as wide as `support` says
   BandSupport support;

@@ -71,7 +71,7 @@ std::vector<std::string> names(const std::vector<std::size_t>& features, const F
   return all;
 }
 
-/// Kinds of feature of which the residual depends on none; inputs first.
+/// Kinds of features on which the residual does not depend; inputs first.
 std::vector<std::string> independent_kinds(const Finding& finding, const FeatureTable& table) {
   constexpr FeatureKind kOrder[] = {FeatureKind::command,   FeatureKind::position, FeatureKind::velocity,
                                     FeatureKind::direction, FeatureKind::load,     FeatureKind::contact,

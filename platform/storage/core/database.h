@@ -53,7 +53,7 @@ class Database {
   /// Opens for writing a temporary copy of what exists, brought up to date, which ends with the object: for commands
   /// that find their answer in a file that they may not write to.
   static Database open_copy(const std::filesystem::path& file);
-  /// Opens what has no tables yet and is no user's: a new file or, where none is named, memory.
+  /// Opens a database without tables that is not a user's file: a new file or, without a name, memory.
   static Database open_blank(const std::filesystem::path& file = {});
 
   Database(Database&&) noexcept;

@@ -32,7 +32,7 @@ void check_new(const std::filesystem::path& to) {
   if (const auto reason = why_not_writable(to)) throw_problem({to.string()}, "cannot be written: " + *reason);
 }
 
-/// The database is only read: what cannot be written is the copy.
+/// The database is only read, so a failure to write concerns the copy.
 [[noreturn]] void throw_copy_error(const std::filesystem::path& from, const std::filesystem::path& to, int code,
                                    const std::string& message) {
   const bool is_of_copy = (code & 0xff) == SQLITE_FULL || code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_FSYNC;
@@ -45,7 +45,7 @@ void check_new(const std::filesystem::path& to) {
   throw_copy_error(from, to, extended > 0 ? extended : error.getErrorCode(), error.what());
 }
 
-/// The draft is nobody's yet, and comes to the disk as a whole: it needs neither journal nor locks.
+/// Nobody uses the draft yet, and it gets to the disk as a whole, so it needs neither journal nor locks.
 void copy_pages(const Database& from, const std::filesystem::path& to, const std::filesystem::path& draft,
                 const Progress& progress) {
   const auto into = open_connection(uri_of(draft.string()) + "?nolock=1", SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI);

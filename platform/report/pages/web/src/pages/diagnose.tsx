@@ -30,7 +30,7 @@ const kDiagnoses = `SELECT diagnosis.id, experiment.name AS experiment, revision
   FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
   ORDER BY diagnosis.id`;
 
-/** What a model lacks, and how that is known. */
+/** The verdict of a diagnosis and its evidence. */
 export function DiagnosePage({ choices }: { choices: Record<string, string> }) {
   const rows = useRows<DiagnosisRow>(kDiagnoses);
   return (
@@ -55,7 +55,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
     const { verdict } = readDocument(one.document);
     return `${one.experiment} · revision ${one.revision} · ${verdict.replace(/_/g, ' ')}`;
   });
-  // Several of one revision are told apart by their order.
+  // Several diagnoses of one revision are numbered.
   const label = (i: number) => {
     const alike = names.map((one, at) => ({ one, at })).filter(({ one }) => one === names[i]);
     return alike.length > 1
@@ -96,7 +96,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
 const byHorizon = (document: DiagnosisDocument) => document.horizons.length > 0;
 const measureOf = (document: DiagnosisDocument) => (byHorizon(document) ? 'change of error / %' : 'gain / nats');
 
-/** What the library comes to, and the force of another form where that was judged under the same noise. */
+/** The ranked candidates, and the formula if it was evaluated with the same noise. */
 function rowsOf(document: DiagnosisDocument): ForestRow[] {
   const first = firstIsAnswer(document);
   const shown = (gain: number | null) => (byHorizon(document) ? errorChange(gain) : gain);
@@ -230,7 +230,7 @@ function parameterText(name: string, one: Parameter): string {
   return one.stated === undefined ? value : `${value} instead of ${quantity(one.stated, one.unit)}`;
 }
 
-/** Parameters that only act together with those found. */
+/** Fixed parameters of which only the product with a fitted one is determined. */
 function heldTexts(effect: Effect): string[] {
   return Object.entries(effect.held ?? {}).map(([name, one]) => `${name} held at ${quantity(one.value, one.unit)}`);
 }
@@ -348,7 +348,7 @@ interface Compared {
   channel: string;
 }
 
-/** Where a sentence leads: to the trial and the channel that it names. */
+/** A link to the trial and the channel that a sentence names. */
 function linkOf(sentence: string, row: DiagnosisRow, compared: Compared[]): string | null {
   const named = (names: string[]) =>
     names.filter((one) => sentence.includes(one)).sort((a, b) => b.length - a.length)[0] ?? null;

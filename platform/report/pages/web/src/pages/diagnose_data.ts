@@ -129,7 +129,7 @@ export function firstIsAnswer(document: DiagnosisDocument): boolean {
   return share > 0 && (answer ?? 0) > (document.formulas[0].gain.value ?? 0);
 }
 
-/** What a lower mean logarithm of the error is: its change in per cent, as in −91.3. */
+/** Change of the error in per cent for a lower mean logarithm, as in −91.3. */
 export const errorChange = (gain: number | null) => (gain === null ? null : 100 * Math.expm1(-gain));
 
 /** "−91.3 % [−93.7, −88.0]", as the terminal has it. */

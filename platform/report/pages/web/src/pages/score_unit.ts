@@ -1,7 +1,7 @@
 import { useRows } from '../data/use';
 import { unitText } from '../kit/format';
 
-/** What the error of a run's models is measured in. */
+/** Unit of the error of a run's models. */
 export interface ScoreUnit {
   /** "1" where channels of several units count together, or where the metric may have one of its own. */
   unit: string;

@@ -17,7 +17,7 @@ interface View {
   example: string;
 }
 
-// What is asked where nobody has asked yet: what has a picture to begin with.
+// The first query is one that has a plot.
 const kErrors = `SELECT experiment, revision, change, channel, unit, fit_rmse, held_out_rmse, times_floor
 FROM error_by_revision ORDER BY experiment, revision`;
 const kPasses = 'SELECT run, pass, trials, error, evaluations_so_far FROM error_by_pass ORDER BY run, pass';

@@ -13,7 +13,7 @@ export interface Axes {
   kind: 'points' | 'line';
 }
 
-// What is plotted over, and what is plotted, where a table has several columns of numbers.
+// Columns for the x axis and for the y axis if a table has several columns of numbers.
 const kOver = ['time', 't', 'sample', 'pass', 'revision', 'generation', 'trial', 'evaluations_so_far'];
 const kFound = ['times_floor', 'residual', 'error', 'value', 'score', 'gain', 'held_out_rmse', 'fit_rmse', 'rmse'];
 const kFewPoints = 20;

@@ -1,6 +1,6 @@
 import { Component, type ComponentChildren } from 'preact';
 
-/** What fails within it is told in its place, and the rest of the page goes on. */
+/** Shows an error of its content in its place, so that the rest of the page keeps working. */
 export class Guard extends Component<{ children: ComponentChildren }, { error: string | null }> {
   override state = { error: null as string | null };
 

@@ -10,7 +10,7 @@ import { Curves, type Line } from './curves';
 interface Props {
   curves: TrialCurves;
   title: string;
-  /** What was different on the rig. */
+  /** The setup of the trial. */
   setup?: string | null;
   lit: [number, number][];
   /** A channel to bring into sight, and the stretch of time to show at first. */
