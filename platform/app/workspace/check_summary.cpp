@@ -39,10 +39,10 @@ std::string effect_lines(const EffectList& effects) {
 std::string free_lines(const std::vector<FreeValue>& values) {
   std::string text;
   for (const FreeValue& value : values)
-    text +=
-        summary_line(text.empty() ? "free" : "",
-                     fmt::format("{} from {}, {} to {}", value.address, format_quantity(value.start, value.unit),
-                                 format_quantity(value.lower, value.unit), format_quantity(value.upper, value.unit)));
+    text += summary_line(
+        text.empty() ? "free" : "",
+        fmt::format("{}: start {}, bounds {} to {}", value.address, format_quantity(value.start, value.unit),
+                    format_quantity(value.lower, value.unit), format_quantity(value.upper, value.unit)));
   return text.empty() ? summary_line("free", "none") : text;
 }
 
@@ -81,7 +81,7 @@ std::string trial_lines(const std::vector<Trial>& trials) {
     seconds += duration_of(trial);
   }
   if (trials.size() > 1)
-    text += summary_line("", fmt::format("together {}, {}", counted(samples, "sample"), format_quantity(seconds, "s")));
+    text += summary_line("", fmt::format("total {}, {}", counted(samples, "sample"), format_quantity(seconds, "s")));
   return text;
 }
 
