@@ -13,7 +13,7 @@ namespace lacuna {
 /// are missing, list items are not. Each that cannot be applied is a problem.
 void apply_overrides(TomlNode& tree, const std::vector<std::string>& overrides, ProblemList& problems);
 
-/// What an override sets, as it is written: all before its first `=`.
+/// The key of an override as written: the text before its first `=`.
 std::string overridden_key(const std::string& text);
 
 }  // namespace lacuna

@@ -33,7 +33,7 @@ std::string submit(std::vector<std::string> words) {
   CapturedOutput output("sbatch output"), errors("sbatch errors");
   words.insert(words.begin(), {"sbatch", "--parsable"});
   const std::string command = fmt::format("{}", fmt::join(words, " "));
-  // Slurm hands the environment on, and a job on this machine is none of this program's children.
+  // Slurm passes the environment on; a job on this machine is not a child of this program.
   words.insert(words.begin(), {"env", "-u", kChildMark});
   ChildProgram sbatch(
       {.words = words, .folder = {}, .environment = {}, .output = output.file(), .errors = errors.file()});

@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// What a database is expected to be of a task.
+/// Expected state of a task's database.
 enum class TaskDatabase {
   checkpoint,  ///< some of its results, or none yet, in a sound file
   shard        ///< all of them

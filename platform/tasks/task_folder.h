@@ -12,22 +12,22 @@ namespace lacuna {
 
 /// How far a task is.
 enum class TaskState {
-  open,         ///< nobody has begun it
+  open,         ///< not begun
   running,      ///< a process has shown within the last three minutes that it works on it
   silent,       ///< it was begun, and its process has shown nothing for longer than that
-  interrupted,  ///< it goes on from a checkpoint
+  interrupted,  ///< can continue from a checkpoint
   failed,       ///< it ended with an error
   done          ///< its shard is there
 };
 
 struct TaskStatus {
   TaskState state = TaskState::open;
-  std::string machine;  ///< that had it last; empty: nobody has begun it
+  std::string machine;  ///< machine of the last process; empty: not begun
   std::string time;     ///< UTC: when it was begun there, or ended
   std::string reason;   ///< why it failed, or was interrupted
 };
 
-/// Where a plan's folder has what was found of a task that is not done.
+/// Path of the checkpoint of an unfinished task in the plan's folder.
 std::filesystem::path checkpoint_in(const std::filesystem::path& folder, std::size_t task);
 
 /// A plan's folder, which many processes on many machines use at once:
@@ -65,7 +65,7 @@ class TaskFolder {
   /// Numbers of the tasks that are not done.
   std::vector<std::size_t> open_tasks() const;
 
-  /// The checkpoint, copied to `file`; false where there is none.
+  /// Copies the checkpoint to `file`; false if there is none.
   bool take_checkpoint(std::size_t number, const std::filesystem::path& file) const;
   /// Of one that cannot be used; returns where it is.
   std::filesystem::path put_checkpoint_aside(std::size_t number) const;
@@ -82,7 +82,7 @@ class TaskFolder {
   friend class TaskSign;
   std::filesystem::path sign(std::size_t number) const;
   void write_sign(std::size_t number, const char* state, const std::string& reason) const;
-  /// What cannot be written is said: it changes nothing of what the task has found.
+  /// A failure to write is reported; it does not affect the results of the task.
   void try_to_write_sign(std::size_t number, const char* state, const std::string& reason) const;
 
   std::filesystem::path folder_;

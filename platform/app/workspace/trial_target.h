@@ -22,7 +22,7 @@ class TrialTarget {
   /// The robot that a simulated target is; null for another one.
   const RobotSpec* robot() const { return definition_ ? &definition_->structure.robot : nullptr; }
   /// SHA-256 of what the target is, so that trials of another one are told apart: of a simulated one with its hidden
-  /// values, of an outside one its version: what else is said of it says how it is run.
+  /// values, for a program its version: its other keys only say how it is run.
   const std::string& digest() const { return digest_; }
   /// The `number`th trial; `seed` and the number key its noise. Throws `Error` where the target cannot.
   Trial carry_out(const Test& test, std::uint64_t seed, std::uint64_t number);

@@ -24,7 +24,7 @@ Span span_of_value(std::string_view text, const TomlNode& value) {
   return {offset_of_place(text, value.location), offset_of_place(text, value.end)};
 }
 
-/// "body.arm.inertia.xx": the section [body.arm], its key `inertia`, and what of that is meant.
+/// "body.arm.inertia.xx": the section [body.arm], its key `inertia`, and the component `xx`.
 struct AddressParts {
   std::string kind, element, key, component;
 };

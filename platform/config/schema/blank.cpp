@@ -13,7 +13,7 @@ struct Wanted {
   const char* example;
 };
 
-/// What drafts ask for, each with a value of the size that a rig on a table has.
+/// Values that drafts ask for, each with an example for a small rig.
 constexpr Wanted kWanted[] = {{"kg", "a mass", "0.5 kg"},
                               {"m", "a length", "-120 mm"},
                               {"kg*m^2", "a moment of inertia", "0.002 kg*m^2"},

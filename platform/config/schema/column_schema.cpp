@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * M_PI;  // rad
 
-/// The unit of a column as written; what it is converted to is the reader's business.
+/// The unit of a column as written; the reader of the column decides the conversion.
 Value<std::string> unit_name() {
   Value<std::string> value = text();
   value.shape.meaning = "a unit such as deg, mm, N*m";

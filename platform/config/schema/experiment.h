@@ -33,7 +33,7 @@ struct ComponentChoice {
   std::map<std::string, double> parameters;
 };
 
-/// What is believed of a robot, or what a simulated target is.
+/// A model of a robot, or the definition of a simulated target.
 struct ModelSection {
   std::string robot;                                   ///< plugin name
   std::map<std::string, double> parameters;            ///< of the robot plugin
@@ -53,7 +53,7 @@ struct ModelSection {
   bool approximate = false;                       ///< the start values are a model to begin with
 };
 
-/// When the hidden values of a simulated target are drawn anew.
+/// When the hidden values of a simulated target are drawn again.
 enum class Redraw { never, replicate };
 
 /// A target that is simulated: a robot with a hidden truth.
@@ -94,8 +94,9 @@ struct SearchSection {
 struct EstimationSection {
   SearchSection search;
   ComponentChoice metric = {"mean_absolute_difference", {}};
-  std::string objective;             ///< objective metric; empty: none
-  std::vector<std::string> sensors;  ///< patterns: what models are scored by; none: all that is measured
+  std::string objective;  ///< objective metric; empty: none
+  std::vector<std::string>
+      sensors;          ///< patterns of the sensors on which models are scored; none: all that are measured
   int seeds = 0;        ///< how many of the last pass's best models start the next; the seed's experiment takes none
   int restarts = 1;     ///< independent searches in each phase
   bool rivals = false;  ///< each restart looks for another structure

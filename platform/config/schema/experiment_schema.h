@@ -12,7 +12,7 @@ Table<ProcessSource> process_keys();      ///< of a target that is a program
 Table<ModelSection> model_keys();
 Table<EffectEntry> effect_keys();        ///< of a simulated target
 Table<EffectEntry> model_effect_keys();  ///< the same, and what a model alone may say
-/// What a model and a simulated target have in common; `whose` is "model" or "target".
+/// Keys that a model and a simulated target have in common; `whose` is "model" or "target".
 Table<ModelSection> system_keys(const std::string& whose);
 Table<TestSection> test_keys();
 Table<EstimationSection> estimation_keys();

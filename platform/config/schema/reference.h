@@ -10,7 +10,7 @@ namespace lacuna {
 struct ReferenceHead {
   std::string title;
   std::string introduction;  ///< paragraphs in Markdown
-  std::string regenerate;    ///< the command that writes the page anew
+  std::string regenerate;    ///< the command that writes the page again
 };
 
 /// A page in Markdown with one section a table and one row a key.

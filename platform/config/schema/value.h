@@ -171,7 +171,7 @@ Value<std::map<std::string, T>> map_of(const std::string& name_hint, const Value
       });
 }
 
-/// Either form, told apart by the kind of node. The first that may be meant reads it.
+/// Either form. The first form that fits the kind of node reads it.
 template <class T>
 Value<T> either(const Value<T>& first, const Value<T>& second) {
   Value<T> value;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// What is stored, as plain data. Values are SI; a NaN means "not known" and is stored as NULL.
+/// Stored records as plain data. Values are SI; a NaN means "not known" and is stored as NULL.
 /// `schema/database.md` describes the tables that these become.
 namespace lacuna {
 
@@ -177,7 +177,7 @@ struct ScoreRecord {
   double as_written_rmse = kNotKnown;  ///< with the file's start values, unfitted
 };
 
-/// What remains of a free run's error in one channel when the model is right. The parts add as squares.
+/// The error of a free run in one channel when the model is right. The squares of the parts add up.
 struct NoiseFloorRecord {
   TrialId trial;
   std::string channel;
@@ -218,7 +218,7 @@ struct StoredFit {
   FitRecord record;
 };
 
-/// Errors of predictions that begin anew every `horizon` seconds, pooled over trials.
+/// Errors of predictions that restart every `horizon` seconds, pooled over trials.
 struct HorizonRow {
   double horizon = 0.0;  ///< s
   double fit_rmse = kNotKnown;

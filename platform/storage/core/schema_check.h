@@ -8,7 +8,7 @@
 namespace lacuna {
 
 /// Tables, indices and views of a database that are not as this program makes them, "table model": changed or gone.
-/// Views that another program of the same schema made are not looked at, for whoever writes next makes them anew.
+/// Views are not compared, because the next writer of the same schema makes them again.
 std::vector<std::string> changed_schema(const Database& database);
 
 }  // namespace lacuna

@@ -66,7 +66,7 @@ struct ObjectiveRow {
   double value = kNotKnown;
 };
 
-/// One of the models that a pass hands on, which differ: the best of each structure and restart first.
+/// One of the different models that a pass carries over: the best of each structure and restart first.
 struct EnsembleRow {
   std::uint64_t model = 0;
   double score = kNotKnown;
@@ -92,7 +92,7 @@ struct PassRow {
   std::string stopped = {};         ///< why the run ended with it, before its last pass; a sentence
 };
 
-/// What a run is about, stored once when it begins.
+/// Settings of a run, stored once when it begins.
 struct EeaRunRecord {
   int replicate = 1;                       ///< from 1
   std::string metric = {};                 ///< that models are scored by

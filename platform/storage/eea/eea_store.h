@@ -34,7 +34,7 @@ class EeaStore {
   EeaStore(const EeaStore&) = delete;
   EeaStore& operator=(const EeaStore&) = delete;
 
-  /// Stores at once what the run is about. For a run that has begun before, checks that it is still the same.
+  /// Stores the settings of the run at once. For a run that has begun before, checks that they are the same.
   void begin(const EeaRunRecord& record);
   /// From now on another store ends the run.
   void hand_over() { to_end_ = false; }
@@ -52,10 +52,10 @@ class EeaStore {
 
   /// Writes all that was appended, and `checkpoint` in place of the last one.
   void commit(const CheckpointRow& checkpoint);
-  /// What was appended since the last commit is dropped; if `done`, there must be none.
+  /// Rows appended since the last commit are dropped; if `done`, there must be none.
   void end(RunEnding ending);
 
-  /// What there is to go on from; nothing where the run never committed a checkpoint.
+  /// The checkpoint to continue from; empty if the run never committed one.
   std::optional<CheckpointRow> checkpoint() const;
   std::vector<Trial> trials() const;  ///< measured, commands, centre of mass; by number
   std::vector<TargetTrialRow> trial_rows() const;

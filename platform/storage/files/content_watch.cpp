@@ -171,7 +171,7 @@ bool ContentWatch::is_continued() {
   return own_ = false;
 }
 
-/// Each commit names the one before. What of the log was brought into the file is not there any more.
+/// Each commit names the one before. The part of the log that was moved into the file is gone.
 bool ContentWatch::comes_after_latest(const LogMark& now) const {
   if (now.before == latest_) return true;
   if (earlier_.contains(now.now)) return false;

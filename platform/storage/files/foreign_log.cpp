@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPause{5}, kLongestWait{1000};  // for another process that looks at the same log
 
-/// What a log says of the database that it is of.
+/// Marks in a log of the database to which it belongs.
 struct LogEvidence {
   bool committed = false;
   bool shares_mark = false;  ///< one of its marks is that of the file
@@ -98,7 +98,7 @@ std::string what_it_is(const std::filesystem::path& log, const std::filesystem::
 std::string put_aside(const std::filesystem::path& log, const std::filesystem::path& database) {
   try {
     std::error_code ignored;
-    // An index of the log alone, which SQLite makes anew.
+    // Only an index of the log, which SQLite makes again.
     if (log.string().ends_with("-wal")) std::filesystem::remove(beside(database, "-shm"), ignored);
     const std::filesystem::path aside = set_aside(log);
     const std::string tail = log.string().substr(log.string().rfind('-'));
@@ -112,7 +112,7 @@ std::string put_aside(const std::filesystem::path& log, const std::filesystem::p
   }
 }
 
-/// What is foreign stays so, but for a while a file that is being written to may look like it.
+/// A foreign log stays foreign, but a file that is being written may look foreign for a moment.
 std::string examine(const Found& found, RawFile& file, const std::filesystem::path& database) {
   const auto end = std::chrono::steady_clock::now() + kLongestWait;
   while (has_content(found.file) && found.is_foreign(found.file, file)) {

@@ -51,7 +51,7 @@ std::filesystem::path index_of(const std::filesystem::path& log) {
   return name.replace(name.size() - std::string_view("-wal").size(), std::string::npos, "-shm");
 }
 
-/// What it holds is elsewhere by now. Another process may have put a log of its own in the same place.
+/// Its content has been moved by now. Another process may have put its log in the same place.
 void remove_log(const OpenPlace& opened) {
   if (!log_is_there(opened)) return;
   std::error_code ignored;

@@ -20,7 +20,7 @@ class RawFile {
   bool is_read_only() const;
   /// How many frames of the write-ahead log as it is now are known to have been brought into the file.
   std::uint32_t frames_in_file() const;
-  /// Succeeds only while nobody else, here or in another process, has the database in use.
+  /// Succeeds only while no other connection, of any process, uses the database.
   bool lock();
   void unlock();
 

@@ -15,9 +15,9 @@ namespace lacuna {
 std::uintmax_t back_up(const std::filesystem::path& database, const std::filesystem::path& to,
                        const std::function<void(double)>& progress = {});
 
-/// The same for a database that its writer hands on: the copy takes the place of a file `to`, hashes are left to who
-/// reads it, and a wish to end is not heeded, for it may be why the database is handed on. A larger file `to` stays: a
-/// database of results only grows, so that one is of a process that has got further.
+/// The same for a database that its writer passes on: the copy replaces a file `to`, its reader checks the hashes, and
+/// a request to stop is ignored, because it may be the reason for passing it on. A larger file `to` stays: a database
+/// of results only grows, so that one is of a process that has got further.
 void hand_on(const std::filesystem::path& database, const std::filesystem::path& to);
 
 }  // namespace lacuna

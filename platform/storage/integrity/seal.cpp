@@ -18,7 +18,7 @@
 namespace lacuna {
 namespace {
 
-/// What was interrupted is sealed for that, too.
+/// Interrupted runs are sealed too.
 void come_to_the_end() {}
 
 struct Seal {

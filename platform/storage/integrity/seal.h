@@ -31,7 +31,7 @@ class Sealer {
 };
 /// Of one; of many, one `Sealer` is much faster.
 void seal_run(Database& database, RunId run);
-/// Takes them away: the run goes on.
+/// Removes them, because the run continues.
 void unseal_run(Database& database, RunId run);
 
 /// Rows of a run in one table that are not those of its seal.

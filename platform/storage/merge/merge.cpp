@@ -37,7 +37,7 @@ constexpr const char* kUsedPlugins =
     " JOIN run ON run.number = plugin_file.run JOIN experiment_text ON experiment_text.id = run.experiment_text"
     " JOIN experiment ON experiment.id = experiment_text.experiment ORDER BY run.number, plugin_file.file";
 
-/// `problems`: null where what the database has is taken as it is.
+/// `problems`: null for the database itself, which is not checked.
 void check_plugins(const Database& database, UsedPlugins& used, ProblemList* problems) {
   Statement row(database, kUsedPlugins);
   while (row.step()) {
@@ -153,13 +153,13 @@ void check_references(const Database& shard, ProblemList& problems) {
                                           broken.text(0), broken.text(2))));
 }
 
-/// What the database and the shards before have, against which the next one is held.
+/// Contents of the database and of the earlier shards, with which the next shard is compared.
 struct Known {
   UsedPlugins plugins;
   OpenRuns runs;
 };
 
-/// Looks for every problem of a shard. What it has is added to what is known where there is none.
+/// Reports every problem of a shard. If there is none, adds its contents to the known ones.
 MergedShard looked_at(const std::filesystem::path& file, Known& known) {
   ProblemList problems;
   MergedShard looked;
@@ -190,7 +190,7 @@ MergedShard looked_at(const std::filesystem::path& file, Known& known) {
   return looked;
 }
 
-/// What keeps each shard from being merged, before anything is written.
+/// The problems of each shard, before anything is written.
 std::vector<MergedShard> looked_at(const Database& into, const std::vector<Shard>& shards) {
   Known known{.plugins = {}, .runs = open_runs(into)};
   check_plugins(into, known.plugins, nullptr);

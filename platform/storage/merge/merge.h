@@ -24,7 +24,7 @@ struct MergedShard {
   std::vector<RunId> added;       ///< by the numbers that they have got
   std::vector<RunId> known;       ///< by those of the shard: they were there
   std::vector<Problem> problems;  ///< why it was left out; empty: it was merged
-  bool is_unsound = false;        ///< it does not hold what was stored in it, which making it anew would mend
+  bool is_unsound = false;        ///< its rows differ from what was stored; making it again would help
 };
 
 /// Takes the runs of other databases in, those that are not there yet (by their identity), in one transaction each:

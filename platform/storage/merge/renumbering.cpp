@@ -66,7 +66,7 @@ void Renumbering::find_runs(const Database& shard, const Database& into) {
     if (!known.with(run.text(1)).step()) runs_[run.integer(0)] = ++number;
 }
 
-/// What carried a test of a run out is that run's alone, and named after it.
+/// A trial in which a run carried out a test belongs to this run alone, and is named after it.
 void Renumbering::find_tests(const Database& shard) {
   Table& trials = tables_["trial"];
   Statement row(shard, "SELECT trial, run, number FROM target_trial WHERE test IS NOT NULL");

@@ -22,7 +22,7 @@
 namespace lacuna {
 namespace {
 
-/// Of SQLite itself: rows are handed on as they are, whatever their types.
+/// Uses SQLite directly: rows are copied unchanged, whatever their types.
 using RowStatement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
 [[noreturn]] void fail_to_copy(const Database& database) {
@@ -60,7 +60,7 @@ std::vector<SchemaItem> items(const Database& database, const char* type) {
   return found;
 }
 
-/// What of a table is copied: a SELECT. Tables that are not named are copied whole.
+/// The part of a table that is copied, as a SELECT. Tables that are not named are copied completely.
 using Choices = std::map<std::string, std::string>;
 
 Choices everything() { return {{"checkpoint", "SELECT run, commits, seconds, x'' AS state, digest FROM checkpoint"}}; }

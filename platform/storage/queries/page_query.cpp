@@ -33,7 +33,7 @@ int bind_value(sqlite3_stmt* statement, int index, const PageCell& value) {
   return sqlite3_bind_null(statement, index);
 }
 
-/// What has no memory is empty, which `has_no_memory` tells.
+/// The result is empty if there is no memory; `has_no_memory` tells this case.
 PageCell page_cell(sqlite3_stmt* statement, int column, bool sizes) {
   switch (sqlite3_column_type(statement, column)) {
     case SQLITE_INTEGER: return std::int64_t{sqlite3_column_int64(statement, column)};

@@ -17,7 +17,7 @@ using PageCell = std::variant<std::monostate, std::int64_t, double, std::string,
 /// A query of a page may take as long.
 inline constexpr std::chrono::milliseconds kLongestPageQuery{10'000};
 
-/// What a page asks: one statement or several that read, of which the last one's rows are the answer.
+/// The query of a page: one or more reading statements; the rows of the last one are the answer.
 struct PageQuery {
   std::string sql;
   std::vector<PageCell> values = {};  ///< of the parameters of the last statement

@@ -16,7 +16,7 @@ namespace lacuna {
 /// How it came about.
 struct CarriedOutRecord {
   std::string test;    ///< as given: a line, or the name of a file
-  std::string target;  ///< SHA-256 of what the target is, its hidden values included
+  std::string target;  ///< SHA-256 of the target's definition, including its hidden values
 };
 
 /// Trials that an experiment's targets have carried out so far, whatever the target was. 0 where there is no such

@@ -37,7 +37,7 @@ class ResultStore {
   ResultStore& operator=(const ResultStore&) = delete;
 
   RunId begin_run(const RunRecord& run, const Provenance& provenance);
-  /// Goes on with a run of this file that did not end as `done`; it keeps its command and provenance.
+  /// Continues a run of this file that did not end as `done`; it keeps its command and provenance.
   void continue_run(RunId run);
   void end_run(RunEnding ending);
   /// From now on somebody else ends the run, or the runs, that were begun or continued.

@@ -30,7 +30,7 @@ struct StoredRun {
 /// it, for commands that show the whole database.
 void check_stored_texts(const Database& database);
 
-/// A run that is not done goes on with another build of a plugin; that of before stays recorded.
+/// An unfinished run continues with another build of a plugin; the earlier build stays recorded.
 void replace_plugin(Database& database, RunId run, const PluginFileRecord& before, const PluginFileRecord& now);
 
 /// Throws `Error` where the database has no such run, `BadInput` where the experiment's text is not the one whose

@@ -7,8 +7,8 @@
 
 namespace lacuna {
 
-/// What a trial is beside its samples: how commands are held, what is known of the start, declared noise. In the
-/// caller's transaction; stored once.
+/// Properties of a trial beside its samples: hold of the commands, knowledge of the initial state, declared noise. In
+/// the caller's transaction; stored once.
 void write_trial_condition(const Database& database, TrialId trial, const Trial& from);
 
 /// A trial with its commands, what was measured and the centre of mass. Throws `Error` if that is not what its digest

@@ -44,7 +44,7 @@ std::string digest_of(const Trial& trial) {
   // Where it is not known it adds nothing, so that digests of trials from before it could be stated stay.
   if (std::any_of(trial.commands.before.begin(), trial.commands.before.end(), [](double v) { return !std::isnan(v); }))
     rest.add(trial.commands.before);
-  std::string setup;  // that there is none adds nothing either
+  std::string setup;  // a missing one adds nothing
   if (!trial.setup.name.empty()) setup = '\n' + trial.setup.name;
   for (const Setup::Value& value : trial.setup.values) {
     setup += '\n' + value.address;

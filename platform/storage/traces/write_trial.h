@@ -16,11 +16,11 @@ struct TraceOwner {
 /// The latest one.
 std::optional<TraceId> find_trace(const Database& database, const TraceOwner& owner);
 
-/// In the caller's transaction. What nobody predicted is stored once and found from then on.
+/// In the caller's transaction. Measured series are stored once and found from then on.
 TraceId write_trace(const Database& database, RunId run, const TraceOwner& owner, const TimeSeries& series,
                     TracePrecision precision);
 
-/// What was different on the rig, in the order in which it was stated.
+/// The settings of the trial's setup, in the order of the file.
 std::vector<Setup::Value> read_settings(const Database& database, TrialId trial);
 
 /// Finds the trial by name, digest and whether it is held out, or adds it. In the caller's transaction.
