@@ -74,7 +74,7 @@ writeFileSync(
 </head>
 <body>
 <div id="page"></div>
-<noscript>This report needs JavaScript, all of which it brings along.</noscript>
+<noscript>This report needs JavaScript; it contains all scripts.</noscript>
 <!--lacuna-data-->
 <script>${script}</script>
 </body>
