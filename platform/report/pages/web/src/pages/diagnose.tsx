@@ -136,7 +136,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
   return (
     <div class="two">
       <Forest
-        title="Gain of each candidate on held-out data"
+        title="Cross-validated gain of each candidate"
         label={measureOf(document)}
         linear={byHorizon(document)}
         chance={byHorizon(document) ? null : document.chance_95}
@@ -146,7 +146,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Figure
         title={outdone ? 'Candidates of the library (none is the answer)' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on ${byHorizon(document) ? 'fitted' : 'held-out'} data, in multiples of the noise floor. Model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
+        note={`Error on ${byHorizon(document) ? 'fitted' : 'left-out'} data, in multiples of the noise floor. Model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
       >
         <div class="scrolls">
           <table class="grid">

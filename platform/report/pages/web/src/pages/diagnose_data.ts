@@ -172,7 +172,7 @@ export function verdictSentence(document: DiagnosisDocument): string {
   const best = document.ranking[0];
   switch (document.verdict) {
     case 'nothing_missing':
-      return 'Nothing is missing: no effect of the library predicts held-out data better than the model alone.';
+      return 'Nothing is missing: no effect of the library lowers the cross-validated error.';
     case 'effect_found':
       return best ? foundSentence(best) : 'An effect is missing.';
     case 'not_in_library':

@@ -18,7 +18,7 @@ export function Horizons({ errors }: { errors: HorizonError[] }) {
             <tr>
               <th scope="col">channel</th>
               <th scope="col" class="number">
-                over
+                horizon
               </th>
               <th scope="col" class="number">
                 fit
