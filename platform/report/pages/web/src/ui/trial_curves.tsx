@@ -218,8 +218,8 @@ export function TrialCurvesPanel(props: Props) {
         />
       )}
       <p class="note keys">
-        Drag to zoom (with fingers: to pan, two zoom), shift and drag to pan, ctrl and wheel to zoom, double click for
-        everything; keys ← → + − 0.
+        Drag to zoom, shift and drag to pan, ctrl and wheel to zoom, double click to show everything. Touch: one finger
+        pans, two fingers zoom. Keys: ← → + − 0.
       </p>
     </figure>
   );
