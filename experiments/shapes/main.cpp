@@ -2,9 +2,9 @@
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"
 #include "command_line/usage_error.h"
-#include "foundation/counted.h"
-#include "foundation/interrupt.h"
-#include "foundation/problem.h"
+#include "foundation/text/counted.h"
+#include "foundation/processes/interrupt.h"
+#include "foundation/text/problem.h"
 #include "shapes/shape_reading.h"
 #include "storage/files/log_left.h"
 
@@ -131,7 +131,8 @@ int told(const std::exception& error, int code) {
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App program("Compare the robot shapes that runs found with the target's: a table and SVG pictures", "lacuna-shapes");
+  CLI::App program("Compare the robot shapes that runs found with the target's: a table and SVG pictures",
+                   "lacuna-shapes");
   ShapesOptions options;
   add_options(program, options);
   watch_for_interrupts();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "answer/diagnosis.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/model/model_definition.h"
 
 #include <string>
 #include <vector>

@@ -29,8 +29,8 @@ struct DiagnosisTask {
 };
 
 /// METHOD: which effects the model lacks (docs/explanation/diagnosis.md). The results of the data checks stand beside
-/// the verdict. When the time limit is reached (foundation/processes/interrupt.h), the limit is lifted and the diagnosis is
-/// `stopped`. Throws `Error` where the trials do not fit the model, and `Interrupted`.
+/// the verdict. When the time limit is reached (foundation/processes/interrupt.h), the limit is lifted and the
+/// diagnosis is `stopped`. Throws `Error` where the trials do not fit the model, and `Interrupted`.
 Diagnosis find_missing_effects(const DiagnosisTask& task);
 
 }  // namespace lacuna

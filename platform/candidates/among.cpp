@@ -3,7 +3,7 @@
 #include "candidates/hypothesis.h"
 #include "candidates/wrong_value.h"
 #include "foundation/address.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 
 #include <lacuna/physical_effect.h>
 

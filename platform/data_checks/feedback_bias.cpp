@@ -27,7 +27,8 @@ std::vector<std::string> sentences_on(const std::vector<WrongController>& wrong)
   for (const WrongController& one : wrong)
     sentences.push_back(fmt::format(
         "{}: the controller that target.controllers declares for {} does not reproduce the recorded commands from the "
-        "recorded readings (error {:.0f} % of their deviation), so feedback bias was not tested; check its gains, their "
+        "recorded readings (error {:.0f} % of their deviation), so feedback bias was not tested; check its gains, "
+        "their "
         "signs and the reference",
         one.trial, one.actuator, 100.0 * one.off));
   return sentences;

@@ -1,6 +1,6 @@
 #include "data_checks/wrong_controllers.h"
 
-#include "measurement/recorded_controller.h"
+#include "measurement/trials/recorded_controller.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "foundation/plugins/plugin_call.h"
 #include "evaluation/joined_recording.h"
 #include "foundation/recording_folder.h"
-#include "measurement/measured_text.h"
+#include "measurement/csv/measured_text.h"
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -45,9 +45,9 @@ struct NextTestTask {
   const PluginCatalog& catalog;     ///< with the plugins `command_series` and `model_disagreement`
   std::vector<RivalModel> rivals;   ///< the first two are to be told apart; both have the robot's sensors
   std::vector<ChannelNoise> noise;  ///< standard deviations of single readings, by channel; other channels are not read
-  TestSpace space;                  ///< limits (evaluation/prediction/test_space.h), control period, and the duration of the test
-  double correlation_time = 0.0;    ///< s, of the noise: readings closer than this count as less than one each
-  StartState start;                 ///< where the test starts
+  TestSpace space;  ///< limits (evaluation/prediction/test_space.h), control period, and the duration of the test
+  double correlation_time = 0.0;  ///< s, of the noise: readings closer than this count as less than one each
+  StartState start;               ///< where the test starts
   /// How well that is known: deviations of the joint coordinates, positions and then velocities; what is above 0 is
   /// refitted together with the values. Empty: exactly.
   std::vector<double> start_deviation;

@@ -1,7 +1,7 @@
 #include "foundation/address.h"
 
 #include "foundation/text/problem.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 
 #include <lacuna/error.h>
 

@@ -1,6 +1,6 @@
 #include "foundation/recording_folder.h"
 
-#include "foundation/allowed_files.h"
+#include "foundation/files/allowed_files.h"
 
 #include <algorithm>
 #include <fstream>

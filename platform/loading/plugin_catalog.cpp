@@ -1,7 +1,7 @@
 #include "loading/plugin_catalog.h"
 
 #include "foundation/text/shell_word.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
 #include "loading/conformance.h"
@@ -254,8 +254,7 @@ std::string PluginCatalog::missing(std::string_view kind, const std::string& nam
   for (const auto& entry : entries_)
     if (entry->kind == kind) names.push_back(entry->origin.name);
   std::string text = "there is no " + noun + " \"" + name + "\"" + did_you_mean(name, names);
-  text +=
-      names.empty() ? "; no plugin has " + with_article(noun) : "; there is " + nearest_names(name, names);
+  text += names.empty() ? "; no plugin has " + with_article(noun) : "; there is " + nearest_names(name, names);
   if (names.size() > kMostNearest) text += "; lacuna plugins list --kind " + shell_word(noun) + " lists all";
   text += "; searched in";
   for (std::size_t i = 0; i < folders_.size(); ++i) text += (i == 0 ? " " : ", ") + folders_[i].string();

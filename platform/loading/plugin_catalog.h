@@ -35,8 +35,9 @@ class PluginCatalog {
   /// are listed when a component is missing.
   ///
   /// Then each component is made and described in a child process with a time limit. One that ends the child, takes too
-  /// long, changes the process (foundation/processes/process_watch.h), or has an invalid description (loading/conformance.h) is
-  /// refused with a sentence; the others stay usable. The hooks of an effect are tried, too (loading/effect_probe.h).
+  /// long, changes the process (foundation/processes/process_watch.h), or has an invalid description
+  /// (loading/conformance.h) is refused with a sentence; the others stay usable. The hooks of an effect are tried, too
+  /// (loading/effect_probe.h).
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);
 
   /// The component of that interface and name: `get<PhysicalEffect>("viscous_friction")`. Throws `Error` for a name

@@ -1,7 +1,7 @@
 #include "measurement/shared_commas.h"
 
-#include "measurement/csv_lines.h"
-#include "measurement/number_cell.h"
+#include "measurement/csv/csv_lines.h"
+#include "measurement/cells/number_cell.h"
 
 #include <algorithm>
 

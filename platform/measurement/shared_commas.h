@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measurement/csv_format.h"
+#include "measurement/csv/csv_format.h"
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #include "prediction/reading_noise.h"
 
-#include "evaluation/trial_predictor.h"
-#include "foundation/interrupt.h"
+#include "evaluation/prediction/trial_predictor.h"
+#include "foundation/processes/interrupt.h"
 
 #include <algorithm>
 #include <cmath>

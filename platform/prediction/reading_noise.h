@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/noise_floor.h"
+#include "fitting/floor/noise_floor.h"
 #include "prediction/smoothed_starts.h"
 
 #include <vector>

@@ -104,7 +104,8 @@ TEST_F(EffectSearchTest, NamesAFixedValueOfTheRobotFileThatIsWrong) {
   EXPECT_NEAR(armature, 0.005, 0.0005);
 }
 
-/// No sensor's reading falls where the measured quantity rises: an error of an encoder that repeats is never that large.
+/// No sensor's reading falls where the measured quantity rises: an error of an encoder that repeats is never that
+/// large.
 TEST_F(EffectSearchTest, RefusesAReadingThatRunsBackwards) {
   const SearchResult found = search(two_recordings(kFriction), 2, {"encoder_eccentricity", "coulomb_friction"});
   int of_encoder = 0;

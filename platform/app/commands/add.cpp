@@ -18,7 +18,7 @@
 #include "foundation/address.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "report/text/change_text.h"
 
 #include <CLI/CLI.hpp>

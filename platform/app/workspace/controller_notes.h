@@ -1,6 +1,6 @@
 #pragma once
 
-#include "config/experiment.h"
+#include "config/schema/experiment.h"
 #include "measurement/recording.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #include "evaluation/model/effect_placement.h"
 
 #include "foundation/address.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "foundation/placement_unit.h"
 #include "foundation/unit.h"
 

@@ -1,7 +1,7 @@
 #include "evaluation/robots/robot_comparison.h"
 
 #include "foundation/address.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 
 #include <algorithm>
 #include <cmath>

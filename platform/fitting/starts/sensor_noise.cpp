@@ -82,7 +82,7 @@ Figure from_second_differences(const std::vector<Trial>& trials, const std::stri
     return {deviation,
             "from second differences of the recording, because no noise is declared and the channel never rests; fast "
             "motion counts as noise",
-        true};
+            true};
   return {resolution, "rounding error; the recording shows no noise", true};
 }
 

@@ -180,8 +180,8 @@ class CallPage {
   static std::optional<std::string> refusal_of(const std::string& component);
 
   /// From now on a thread of this process that calls `exit`, aborts or crashes is recorded, with the plugin library
-  /// that it was in (foundation/plugin_libraries.h). A signal with another handler, such as a sanitizer's, is left
-  /// alone.
+  /// that it was in (foundation/plugins/plugin_libraries.h). A signal with another handler, such as a sanitizer's, is
+  /// left alone.
   static void watch_this_process();
   /// The same for `exit` only, registered again: handlers that are registered later run earlier, before the destructors
   /// of plugins.

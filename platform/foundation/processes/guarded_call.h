@@ -18,7 +18,7 @@ struct ComponentOrigin {
   std::string kind;               ///< "effect", "robot", "metric", "target"
   std::string name;               ///< the plugin's
   std::filesystem::path file;     ///< empty: built into the program
-  const char* on_page = nullptr;  ///< text for a parent process (foundation/plugin_call.h); null: not set yet
+  const char* on_page = nullptr;  ///< text for a parent process (foundation/plugins/plugin_call.h); null: not set yet
 };
 
 /// `effect "coulomb_friction" (/usr/lib/lacuna/plugins/coulomb_friction.so)`.
@@ -60,10 +60,10 @@ class ComponentChangedProcess : public ComponentError {
 /// problems the first.
 std::string reason_of(const Error& error);
 
-/// Calls plugin code, and informs a parent process (foundation/plugin_call.h); `what` is a literal. Any exception,
-/// including foreign types, becomes a `ComponentError` that names component, file and what to do; so does a change of
-/// the process (foundation/process_watch.h). `BadInput` and `Interrupted` come from the host's own services and pass
-/// unchanged.
+/// Calls plugin code, and informs a parent process (foundation/plugins/plugin_call.h); `what` is a literal. Any
+/// exception, including foreign types, becomes a `ComponentError` that names component, file and what to do; so does a
+/// change of the process (foundation/processes/process_watch.h). `BadInput` and `Interrupted` come from the host's own
+/// services and pass unchanged.
 template <class Call>
 decltype(auto) guarded_call(const ComponentOrigin& origin, const char* what, Call&& call) {
   const PluginCall active(on_page(origin), what);

@@ -8,7 +8,7 @@ namespace lacuna {
 
 /// How a device encoded the numbers of a column.
 enum class EncodingKind {
-  automatic,        ///< found from the column (measurement/encoding_guess.h)
+  automatic,        ///< found from the column (measurement/trials/encoding_guess.h)
   plain,            ///< plain numbers
   sign_bit,         ///< from `modulus` on: minus the part beyond it
   twos_complement,  ///< in the upper half of `modulus`: minus `modulus`

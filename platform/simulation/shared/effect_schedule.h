@@ -28,7 +28,7 @@ class EffectSchedule {
   void size_states(const std::vector<std::vector<double>>& largest_values);
 
   const std::vector<PlacedEffect>& effects() const { return effects_; }
-  /// Name of the effect for a parent process (foundation/plugin_call.h).
+  /// Name of the effect for a parent process (foundation/plugins/plugin_call.h).
   const char* on_page(std::size_t effect) const { return on_page_[effect]; }
   EffectContext context(std::size_t effect, std::span<const double> values) const;  ///< of a whole step
   std::span<double> state_of(std::size_t effect, std::span<double> states) const;

@@ -1,7 +1,7 @@
 #include "simulation/shared/robot_checks.h"
 
 #include "foundation/address.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "foundation/link_angle.h"
 #include "foundation/text/number_text.h"
 #include "foundation/text/problem.h"

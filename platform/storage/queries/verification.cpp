@@ -1,7 +1,7 @@
 #include "storage/queries/verification.h"
 
 #include "foundation/processes/interrupt.h"
-#include "foundation/counted.h"
+#include "foundation/text/counted.h"
 #include "storage/core/one_state.h"
 #include "storage/core/schema_check.h"
 #include "storage/core/statement.h"
