@@ -128,8 +128,8 @@ struct Diagnosis {
   std::string next_test;                      ///< as `lacuna trial --test` takes it; empty: no test is needed
   std::optional<KnownSetup> next_test_setup;  ///< setup to make it in; nothing where no recording has one
   std::string next_test_worth;                ///< the test, its worth in nats, and the worth of a random test
-  std::optional<StoppedSearch>
-      stopped;  ///< data checks found a fault: no probability is stated, and `findings` begins with the fault
+  /// Stopped by the time limit: no probability is stated.
+  std::optional<StoppedSearch> stopped;
   double seconds = 0.0;
 };
 

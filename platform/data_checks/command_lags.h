@@ -23,8 +23,8 @@ struct CommandLagProfile {
   double power = 0.0;           ///< sum of squares of the accelerations, in noise variances
   double of_model = 0.0;        ///< sum of squares of the residual of the model's own accelerations, in noise variances
   Eigen::VectorXd early, late;  ///< the same from the first and the second half of the rows alone
-  Eigen::VectorXd
-      squares;  ///< by lag: squares that surroundings and lagged commands leave unexplained, in noise variances
+  /// By lag: squares that surroundings and lagged commands leave unexplained, in noise variances.
+  Eigen::VectorXd squares;
 };
 
 struct CommandLags {

@@ -51,8 +51,8 @@ struct NextTestTask {
   /// How well that is known: deviations of the joint coordinates, positions and then velocities; what is above 0 is
   /// refitted together with the values. Empty: exactly.
   std::vector<double> start_deviation;
-  std::vector<KnownSetup> setups =
-      std::vector<KnownSetup>(1);  ///< setups of the rig for the test; both models have them
+  /// Setups of the rig for the test; both models have them.
+  std::vector<KnownSetup> setups = std::vector<KnownSetup>(1);
   int evaluations = 60;  ///< budget; one evaluation predicts a test with both models and all their refitted quantities
   std::uint64_t seed = 1;
   int threads = 1;

@@ -103,8 +103,8 @@ struct Comparison {
   std::vector<TrialComparison> trials;  ///< in the order of the task
   std::vector<PooledScore> pooled;      ///< by channel, fit before held out
   std::vector<TrialFloor> floors;       ///< one a trial
-  double start_horizon =
-      0.0;  ///< s; up to this horizon a start from 50 ms of data stays within twice the noise; infinite: always
+  /// s; up to this horizon a start from 50 ms of data stays within twice the noise; infinite: always.
+  double start_horizon = 0.0;
   std::optional<CrossCheck> cross_check;  ///< only where it was requested
   std::vector<std::string> notes;
   double seconds = 0.0;

@@ -84,8 +84,8 @@ class LadderPredictions {
   const PredictionLadder& ladder_;
   const TrialPredictor& predictor_;
   const ParameterSpace& space_;
-  const SmoothedStarts* changed_readings_ =
-      nullptr;  ///< used to adapt initial states to the model's sensors; null: not adapted
+  /// Used to adapt initial states to the model's sensors; null: not adapted.
+  const SmoothedStarts* changed_readings_ = nullptr;
   std::vector<std::optional<WarmUp>> warm_ups_;  ///< by stretch
   std::vector<double> steps_, first_steps_;      ///< by value, step in coordinates
   std::vector<char> is_steady_;                  ///< by value: whether it has a derivative

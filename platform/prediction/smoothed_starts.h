@@ -34,8 +34,8 @@ class SmoothedStarts {
     double position = 0.0, velocity = 0.0;
   };
   struct SmoothedCoordinate {
-    std::optional<SmoothedMotion>
-        motion;  ///< sign of the coordinate in the reading; a link's angle includes the joints before it
+    /// Sign of the coordinate in the reading; a link's angle includes the joints before it.
+    std::optional<SmoothedMotion> motion;
     std::vector<std::pair<int, double>> others;  ///< further coordinates in it, and their signs
   };
 

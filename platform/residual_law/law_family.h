@@ -16,8 +16,8 @@ struct LawFamily {
   std::string quantity = {}, unit = {};
   std::vector<double> places = {};
   double JointMoment::*of = nullptr;
-  bool follows_velocity =
-      false;  ///< depends on the velocity, now or before: friction of this kind takes energy from the joint
+  /// Depends on the velocity, now or before: friction of this kind takes energy from the joint.
+  bool follows_velocity = false;
 };
 
 /// The kinds of force on a joint: of position (piecewise linear between knots at quantiles; periodic on a hinge); of

@@ -63,8 +63,8 @@ struct SimulationOptions {
   std::function<bool(std::size_t sample, std::span<const double> readings)> stop_when;
   std::optional<SensorImperfections>
       imperfections;  ///< none: ideal readings (delay, effects, scale and offset still apply)
-  bool record_commands =
-      false;  ///< also return the commands as sent (before delay, gain, effects), one row per output sample
+  /// Also return the commands as sent (before delay, gain, effects), one row per output sample.
+  bool record_commands = false;
   bool record_centre_of_mass = false;  ///< also return the whole robot's centre of mass, one row per output sample
   bool save_final_state = false;
   bool record_lateness = false;  ///< also return the delay of the readings

@@ -9,8 +9,8 @@ namespace lacuna {
 /// A residual and its covariates. Everything that it refers to must live during the call.
 struct SelectionTask {
   const Eigen::VectorXd& residual;  ///< rows of the table; NaN where nothing is scored
-  const Eigen::MatrixXd&
-      covariates;  ///< covariates that explain the residual first; none: each feature is tested alone
+  /// Covariates that explain the residual first; none: each feature is tested alone.
+  const Eigen::MatrixXd& covariates;
   const FeatureTable& table;
   std::size_t family = 1;                 ///< number of tests that share the 1 % of false alarms
   std::vector<std::size_t> unasked = {};  ///< features that are not tested

@@ -29,8 +29,8 @@ struct TreeOptions {
   int depth = 3;
   double least_share = 0.03;  ///< of all samples, in a leaf
   double least_gain = 0.02;   ///< nats; a split with less gain is not worth a sentence
-  double level =
-      0.03;  ///< of a split's blockwise test; real splits are far below it unless the error has a long memory
+  /// Of a split's blockwise test; real splits are far below it unless the error has a long memory.
+  double level = 0.03;
 };
 
 /// Divides the samples (rows of `features`, in the order of time) by `error` ≥ 0, their squared residual. A split is

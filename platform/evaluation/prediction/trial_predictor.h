@@ -31,8 +31,8 @@ struct WarmUp {
 struct Prediction {
   bool valid = false;
   std::string reason;  ///< why it is not valid, a sentence
-  TimeSeries::Samples
-      samples;  ///< stretch size × measured channels of the trial, in their order; SI; undefined if not valid
+  /// Stretch size × measured channels of the trial, in their order; SI; undefined if not valid.
+  TimeSeries::Samples samples;
   /// By measured channel: delay of its readings behind the motion at the beginning of the stretch, s.
   std::vector<double> lateness;
 };

@@ -24,8 +24,8 @@ enum class ScoreKind : std::uint8_t {
 /// The result of a model's evaluation.
 struct ModelScore {
   double total = 0.0;  ///< over all trials together; smaller is better
-  std::vector<double>
-      trials;  ///< of each trial that was begun; the last one of an abandoned or invalid evaluation is a bound
+  /// Of each trial that was begun; the last one of an abandoned or invalid evaluation is a bound.
+  std::vector<double> trials;
   ScoreKind kind = ScoreKind::full;
   std::string reason;
   std::uint64_t steps = 0;  ///< integration steps

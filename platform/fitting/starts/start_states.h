@@ -24,8 +24,8 @@ struct StartEstimate {
   /// Possible errors of the start, one direction per column: independent, each one standard deviation long, together
   /// the covariance of the measured components.
   Eigen::MatrixXd axes;
-  double misfit =
-      1.0;  ///< RMS of the residuals of the first samples over their noise, at least 1; part of the deviations
+  /// RMS of the residuals of the first samples over their noise, at least 1; part of the deviations.
+  double misfit = 1.0;
 
   /// Whether component `index` was estimated from data, rather than given or not measured.
   bool tells(int index) const { return deviation(index) > 0.0 && std::isfinite(deviation(index)); }
@@ -115,8 +115,8 @@ class StartStates {
 
   const std::vector<Trial>& trials_;
   int coordinates_ = 0;
-  std::vector<int>
-      outward_;  ///< coordinates in an order in which those contained in a link's angle come before the link's own
+  /// Coordinates in an order in which those contained in a link's angle come before the link's own.
+  std::vector<int> outward_;
   std::vector<Follower> followers_;
   std::string hidden_;  ///< the part of the model's state that no measurement shows; empty: none
   std::vector<std::string> names_;

@@ -103,8 +103,8 @@ struct MotorSpec {
   double supply = kInfinity;     ///< V; a servo's must be finite
   double duty_limit = 1.0;       ///< largest share of the supply voltage that the driver can apply
   double gain_unit = 1.0;        ///< meaning of one count of a servo's kp: share of the supply voltage per rad or m
-  double sample_time =
-      0.0;  ///< s; interval at which a servo reads its position and updates the voltage; 0: continuously
+  /// s; interval at which a servo reads its position and updates the voltage; 0: continuously.
+  double sample_time = 0.0;
 };
 
 struct ActuatorSpec {

@@ -20,8 +20,8 @@ struct CsvFormat {
 
 /// Settings of the experiment for the format.
 struct CsvFormatHints {
-  std::string
-      time_column;  ///< identifies the header among the lines above it; empty: the first line with text is the header
+  /// Identifies the header among the lines above it; empty: the first line with text is the header.
+  std::string time_column;
   char delimiter = '\0';  ///< '\0': found out
   bool decimal_comma = false;
 };

@@ -23,8 +23,8 @@ struct GuessedColumn {
   std::string name;
   ColumnRole role = ColumnRole::other;
   std::string unit;  ///< in the notation of foundation/unit.h; empty: not known
-  std::string
-      joint;  ///< part of the name that distinguishes joints: "1" in `q1`, "elbow" in `elbow_angle_deg`; often empty
+  /// Part of the name that distinguishes joints: "1" in `q1`, "elbow" in `elbow_angle_deg`; often empty.
+  std::string joint;
   std::string reason;        ///< reason for this role, half a sentence
   bool of_velocity = false;  ///< its words mean a velocity; for a reference: a velocity setpoint
   bool of_effort = false;    ///< a torque or a force, by its unit or its words

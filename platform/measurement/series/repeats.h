@@ -8,8 +8,8 @@ namespace lacuna {
 
 /// A sensor that is slower than the log, which repeats each reading until the next one.
 struct Repeats {
-  std::size_t every =
-      0;  ///< readings of the log, usual number per reading of the sensor; 0: the sensor does not repeat
+  /// Readings of the log, usual number per reading of the sensor; 0: the sensor does not repeat.
+  std::size_t every = 0;
   std::vector<std::size_t> repeated;  ///< indices of repetitions
 };
 

@@ -17,8 +17,8 @@ namespace lacuna::articulated {
 struct Motion {
   std::vector<double> configuration, velocities;
   std::vector<double> accelerations;  ///< of the last step, from which the next one is estimated
-  std::vector<double>
-      integrals;  ///< per actuator: integral of a PID's error; the held force of a servo with a sample time
+  /// Per actuator: integral of a PID's error; the held force of a servo with a sample time.
+  std::vector<double> integrals;
 };
 
 /// Settings of a coordinate's stops and dry friction in a step.
