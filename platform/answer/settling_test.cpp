@@ -13,12 +13,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSurelyBehind =
-    3.0;  ///< The cheapest of the sets that are indistinguishable from the answer; where there are none, the nearest
-          ///< set with another meaning unless the answer's lead is sure. Null: there is none.
+constexpr double kSurelyBehind = 3.0;  ///< standard errors
 
-/// Of the sets that are indistinguishable from the answer, the one that costs least; where there are none, the nearest
-/// that says something else, unless it is surely behind. Null: there is none.
+/// The cheapest of the sets that are indistinguishable from the answer; where there are none, the nearest set with
+/// another meaning unless the answer's lead is sure. Null: there is none.
 const FittedModel* rival_of(const SearchResult& found) {
   const FittedModel* least = nullptr;
   for (const std::size_t i : found.decision.alike)

@@ -10,13 +10,13 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSpan = 0.02;           // s, time over which positions are differentiated to a speed
-constexpr double kRarely = 0.95;         // share of samples with a smaller speed
-constexpr double kAnInterval = 1.5;      // periods between two readings: waves no longer than this are resolved
-constexpr double kFewestReadings = 4.0;  // of a wave's period, at the usual speed
-constexpr double kMostPhase = 100.0;     // rad: the most waves over the range of a channel, all channels together
-constexpr double kMostOfATurn = 24.0;    // waves per turn, tried for an angle however far it turns
-constexpr double kPhaseApart = 3.0;      // rad over the range, between the wave numbers that are tried
+constexpr double kSpan = 0.02;       // s, time over which positions are differentiated to a speed
+constexpr double kRarely = 0.95;     // share of samples with a smaller speed
+constexpr double kAnInterval = 1.5;  // times the interval between readings: the largest distance of neighbouring ones
+constexpr double kFewestReadings = 4.0;  // readings per wave, at the usual speed
+constexpr double kMostPhase = 100.0;  // rad, largest phase of a wave over the range of a channel, all channels together
+constexpr double kMostOfATurn = 24.0;  // waves per turn, tried for an angle however far it turns
+constexpr double kPhaseApart = 3.0;    // rad over the range, between the wave numbers that are tried
 
 void hold(double& largest, double value) { largest = std::max(largest, value); }
 

@@ -8,8 +8,9 @@
 
 namespace lacuna {
 
-inline constexpr double kSteadyLag = 0.5;      ///< s: a lag that differs by more between the halves is not a lag
-inline constexpr double kHeldIntervals = 1.5;  ///< between samples: smaller lags come from how commands are held
+inline constexpr double kSteadyLag = 0.5;  ///< of a lag: one that differs by more between the halves is not a lag
+inline constexpr double kHeldIntervals =
+    1.5;  ///< intervals between samples: smaller lags come from how commands are held
 
 /// Columns for accelerations that a wrong model of the joint may cause: the model's own without commands, constant,
 /// linear in position and velocity, and direction of motion; rows over the accelerations' noise.

@@ -15,7 +15,7 @@ namespace lacuna {
 /// Change of a fitted value by the integration error.
 struct ValueShift {
   std::string address;  ///< address of the value that changes most; empty: none
-  double share = 0.0;   ///< in halves of its 95 % interval
+  double share = 0.0;   ///< of half its 95 % interval
 };
 
 /// Bias of fitted values by the integration. A few cheap stages bring the values near the result of a fit; there the

@@ -97,7 +97,7 @@ struct FurtherFile {
 struct MeasuredFile {
   std::filesystem::path path = {};  ///< resolved: relative to the experiment file, variables replaced
   bool held_out = false;
-  SourceLocation location = {};                    ///< as the experiment names it
+  SourceLocation location = {};                    ///< its place in the experiment file
   std::vector<TimeRange> use = {};                 ///< ranges of this file; empty: those of `RecordingSource::use`
   std::vector<TimeRange> mask = {};                ///< of this file, in addition to `RecordingSource::mask`
   std::vector<TimeRange> holdout = {};             ///< held-out parts of a fit file

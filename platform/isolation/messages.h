@@ -19,7 +19,7 @@ struct WorkerTask {
   std::filesystem::path experiment;    ///< of the file, for names in it
   std::string text;                    ///< of the file
   std::vector<std::string> overrides;  ///< --set
-  std::vector<std::string> decided;    ///< settings that the file leaves to the host
+  std::vector<std::string> decided;    ///< the host's decisions where the file leaves a setting open
   std::vector<std::filesystem::path> plugin_paths;
   double evaluation_limit = 0.0;        ///< s; 0: none
   std::uint64_t memory = 0;             ///< bytes; 0: as much as the machine has

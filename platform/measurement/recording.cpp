@@ -27,7 +27,7 @@ struct WholeSource {
   RecordingPlan plan;                   ///< the same
   std::vector<std::string> file_names;  ///< names of trials: the file's name, or its path where two have one name
   std::set<std::string> trials_seen;    ///< values of the trial column in all files
-  bool has_one_trial = false;           ///< recordings without a setting for held-out data
+  bool has_one_trial = false;           ///< a single trial without a setting for held-out data
 };
 
 constexpr std::size_t kFewestToSplit = 40;  ///< samples: a quarter of fewer has too little information

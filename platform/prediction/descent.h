@@ -21,7 +21,7 @@ struct PredictionFit {
   PredictionPoint point;
   BlockProducts products;
   Derivatives by_starts, by_values;
-  StepBounds bounds;   ///< the range of further moves of the values from here
+  StepBounds bounds;   ///< how far the values may still move from here
   double cost = 0.0;   ///< nats, with the penalty for the distance of the values from their start
   int iterations = 0;  ///< steps tried
 };

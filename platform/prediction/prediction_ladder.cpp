@@ -147,7 +147,7 @@ PredictionLadder ladder_of(const LadderSource& source, std::vector<double> lengt
     for (const Stretch& stretch : spread(tiles(source, ladder.lengths[h]), most)) {
       PredictedStretch one = stretch_from(source, stretch, h, blocks.of_sample[stretch.trial], channel_index);
       if (one.covariance.allFinite())
-        ladder.stretches.push_back(std::move(one));  // false: the readings do not determine the start
+        ladder.stretches.push_back(std::move(one));  // else the readings do not determine it
     }
   }
   set_weights(source.robot, ladder);

@@ -13,8 +13,8 @@ constexpr double kMostOfStart = 0.25;  ///< of the motion's power
 constexpr double kMostPower = 0.1;     ///< rad²: more motion of a hinge than this adds no information
 constexpr std::size_t kTried = 12;     ///< lengths
 constexpr std::size_t kFewStretches = 24;
-constexpr double kLongest = 3000.0;   ///< samples: below this length a failed check does not end the search
-constexpr double kStillShort = 30.0;  ///< samples, below which a length that fails does not end the search
+constexpr double kLongest = 3000.0;   ///< samples
+constexpr double kStillShort = 30.0;  ///< samples: below this length a failed check does not end the search
 
 double duration(const Trial& trial) {
   return trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0);

@@ -106,8 +106,7 @@ class Smoother {
     const double position = kVague * std::max(position_scale_, 1e-12);
     belief.covariance.diagonal() << position * position, std::pow(position / (100.0 * interval_), 2),
         std::pow(position / (100.0 * interval_ * interval_), 2);
-    if (!has_positions_)
-      belief.covariance(0, 0) = 0.0;  // the position is measured nowhere, and is counted from the start
+    if (!has_positions_) belief.covariance(0, 0) = 0.0;  // measured nowhere: counted from the start
     return belief;
   }
 

@@ -10,7 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr Eigen::Index kMostPulses = 12;  ///< of a stretch
-constexpr double kWantedChange = 0.5;     ///< the length of one pulse must change the residuals by this much
+constexpr double kWantedChange = 0.5;     ///< of the residuals: wanted change by one pulse
 constexpr int kSizeRounds = 4;
 
 /// Stretches of one length, which do not overlap.

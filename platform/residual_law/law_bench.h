@@ -43,7 +43,7 @@ class LawBench {
   StepBounds bounds_of(const FittedLaw& law) const;
 
   const CellLayout& layout_;
-  StepBounds bounds_;  ///< number of the model's values
+  StepBounds bounds_;  ///< of the model's values
   BlockProducts products_;
 };
 

@@ -14,7 +14,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
-constexpr std::size_t kSamplesOfDescent = 500;  ///< of the stretches of a length: a first fit uses these
+constexpr std::size_t kSamplesOfDescent = 500;  ///< samples per length in a first fit
 constexpr double kBetter = 1e-4;                ///< nats
 constexpr double kProportion =
     1e-2;  ///< share of information by which two values must differ; with less they act as one

@@ -14,7 +14,7 @@ constexpr int kMostSubsteps = 64;
 constexpr double kMostSamples = 1500.0;  ///< per length and channel; further samples add little
 constexpr double kMostStretches = 80.0;  ///< per length: two in each block of time
 constexpr std::size_t kFewStretches = 40;
-constexpr double kReadingsOfAValue = 8.0;  ///< per channel; with fewer a gain cannot be told from chance
+constexpr double kReadingsOfAValue = 8.0;  ///< with fewer per value a gain cannot be told from chance
 
 Experiment coarse(Experiment experiment) {
   if (substeps_decided(experiment)) experiment.engine.substeps = 1;

@@ -78,9 +78,8 @@ class SearchData {
   double readings() const;  ///< that are fitted
   /// Whether there are readings enough for so many values: eight for each.
   bool tells(double values) const;
-  bool timing() const {
-    return timing_;
-  }  ///< the timestamp offset of commands is fitted as a last value beside the model's
+  /// Whether the timestamp offset of commands is fitted as a last value beside the model's.
+  bool timing() const { return timing_; }
 
   ModelBench bench_for(const Contender& model) const {
     return {model.definition, *model.model, task_.trials, timing_, task_.threads, kCommandsMayAct};

@@ -11,7 +11,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kViews = 2;  // tests that share the false alarms
+constexpr std::size_t kViews = 2;  // views that share the false alarms
 
 /// At the rows of a table, a column a channel.
 struct Rows {

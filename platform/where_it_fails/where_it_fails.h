@@ -29,7 +29,7 @@ struct Regime {
 struct ChannelTests {
   std::string channel;
   std::string unit;             ///< of the residual
-  double share_of_error = 0.0;  ///< RMS of all channels in multiples of the floor
+  double share_of_error = 0.0;  ///< over all channels, errors in multiples of the floor
   IndependenceTest mean;        ///< of a zero mean
   /// In the order of `FeatureTable::features`. Of a free run each alone; of an acceleration each beside the selected
   /// ones and all that another mass, damping or stiffness would be linear in (position, velocity, command).

@@ -33,7 +33,7 @@ class Reader {
   template <class Number>
   void number(Number& value) {
     const double stored = next();
-    if constexpr (std::is_integral_v<Number>)  // all trials count
+    if constexpr (std::is_integral_v<Number>)  // integers are counts
       if (!(stored >= 0.0 &&
             stored <= std::min(kLargestCount, static_cast<double>(std::numeric_limits<Number>::max()))))
         fail();

@@ -38,7 +38,7 @@ struct ChannelSupport {
   double factor = kNotKnown;  ///< factor on the band's width with which 95 % of the readings lie inside; above 1 the
                               ///< band is too narrow
 
-  /// By which the band is to be wider: 1 where it is wide enough, where too few trials say so, or where none helps.
+  /// Factor by which the band must be widened: 1 where it is wide enough, has too few trials, or no factor helps.
   double widening() const;
 };
 

@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kBoundRounding = 1e-9;  ///< of the larger bound
-constexpr int kBoundDigits = 6;          ///< tolerance for a value at a bound
+constexpr int kBoundDigits = 6;          ///< digits that show the difference between a value and its bound
 
 /// `body.torso.mass` → `body.*.mass`; `contact.friction` stays.
 std::string with_star(const std::string& address) {

@@ -42,7 +42,7 @@ class CandidateDesk {
   Benches switched_;  ///< for the shared robot without some of the effects
   const Bench* taken_ = nullptr;
   std::span<const double> values_;
-  std::vector<double> kept_values_;  ///< values of `values_` that a candidate without some effects has
+  std::vector<double> kept_values_;  ///< the part of `values_` for a candidate without some effects
 };
 
 }  // namespace lacuna

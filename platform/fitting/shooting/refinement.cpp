@@ -12,7 +12,7 @@ namespace {
 constexpr int kRounds = 3;           ///< alternations of scales and search
 constexpr double kSettled = 0.05;    ///< relative change of scales that ends the alternation
 constexpr double kRough = 1.0;       ///< precision while the scales still change
-constexpr double kLoosest = 1e-4;    ///< a smaller relative decrease of the cost always ends a search
+constexpr double kLoosest = 1e-4;    ///< relative decrease of the cost: loosest tolerance that ends a search
 constexpr double kSameError = 1e-2;  ///< per sample: 0.5 % of the residual
 constexpr double kHopeless = 2.0;    ///< per sample: 2.7 times the residual
 

@@ -18,7 +18,7 @@ struct ProcessSource {
   double pause = 1.0;                              ///< s, between a failed test and the next attempt
   int copies = 1;                                  ///< how many instances may run side by side
   std::string refused;                             ///< why it must not be started, a sentence; empty: it may
-  std::string version;                             ///< trials of another identity belong to another target
+  std::string version;                             ///< trials of another version belong to another target
 };
 
 }  // namespace lacuna

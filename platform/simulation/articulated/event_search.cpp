@@ -7,7 +7,7 @@ namespace lacuna::articulated {
 namespace {
 
 constexpr int kMostTrials = 60;
-constexpr double kLocated = 1e-10;    ///< of the step (its shortest length), or of the distance at its start
+constexpr double kLocated = 1e-10;    ///< of the step, its shortest length, or of the distance at its start
 constexpr double kSameMoment = 1e-8;  ///< of the way to an event, within which two events coincide
 constexpr double kTold = 1e-12;       ///< of the fastest velocity: a step tells no smaller ones
 

@@ -26,7 +26,7 @@ struct ActuatorNumbers {
   double drag = 0.0;                        ///< of back-EMF; not at the limit
   double sample_time = 0.0;                 ///< s; of a servo that holds its force in between; 0: continuous
   std::size_t coordinate = 0;
-  std::size_t dof = 0, position = 0;  ///< range of the coordinate that it drives
+  std::size_t dof = 0, position = 0;  ///< of the coordinate that it drives
   double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;
   double sag = 0.0;                                                       ///< of the supply, per force at rest
   bool compliant = false;                                                 ///< it drives a rotor; then
