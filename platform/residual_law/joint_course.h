@@ -10,7 +10,7 @@ namespace lacuna {
 
 inline constexpr std::size_t kMemories = 3;  ///< time constants
 
-/// What a joint does at one moment, as the readings tell it: what a force that no effect has may follow.
+/// State of a joint at one moment according to the readings: the inputs of a nonparametric residual force.
 struct JointMoment {
   double position = 0.0;                           ///< rad or m
   double velocity = 0.0;                           ///< rad/s or m/s
