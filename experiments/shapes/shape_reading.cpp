@@ -1,6 +1,6 @@
 #include "shapes/shape_reading.h"
 
-#include "app/runs/stored_bench.h"
+#include "app/runs/open_stored_run.h"
 #include "shapes/trilateration.h"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@ namespace {
 /// The runs of one experiment, and the experiment itself.
 class ShapeReading {
  public:
-  ShapeReading(Database& database, const std::vector<EeaRunListing>& runs, StoredBench stored)
-      : runs_(runs), stored_(std::move(stored)), definition_(stored_.bench->definition()) {
+  ShapeReading(Database& database, const std::vector<EeaRunListing>& runs, OpenStoredRun stored)
+      : runs_(runs), stored_(std::move(stored)), definition_(stored_.opened->definition()) {
     for (const EeaRunListing& run : runs) {
       stores_.push_back(std::make_unique<EeaStore>(database, unused_, run.run, ExperimentId{}));
       study_.runs.push_back(stores_.back()->passes());
@@ -38,7 +38,7 @@ class ShapeReading {
   }
 
  private:
-  const RobotSpec& target() const { return stored_.bench->target()->structure.robot; }
+  const RobotSpec& target() const { return stored_.opened->target()->structure.robot; }
 
   double distance_of(const ModelProposal& model) const {
     const Chosen<ObjectiveMetric>& metric = *definition_.objective;
@@ -113,7 +113,7 @@ class ShapeReading {
   }
 
   const std::vector<EeaRunListing>& runs_;
-  StoredBench stored_;
+  OpenStoredRun stored_;
   const EeaDefinition& definition_;
   std::mutex unused_;
   std::vector<std::unique_ptr<EeaStore>> stores_;
@@ -122,17 +122,17 @@ class ShapeReading {
 
 /// Whether its runs say how far parts are from the target's: a simulated target, and the objective metric
 /// `part_distance`.
-bool speaks_of_parts(const EeaBench& bench) {
-  const std::optional<Chosen<ObjectiveMetric>>& objective = bench.definition().objective;
-  return objective && objective->origin.name == "part_distance" && bench.target();
+bool speaks_of_parts(const OpenEeaRun& opened) {
+  const std::optional<Chosen<ObjectiveMetric>>& objective = opened.definition().objective;
+  return objective && objective->origin.name == "part_distance" && opened.target();
 }
 
 }  // namespace
 
 std::optional<ShapeStudy> read_shape_study(Database& database, const std::vector<EeaRunListing>& runs,
                                            const std::vector<std::filesystem::path>& plugin_paths) {
-  StoredBench stored = open_stored(database, runs.front(), plugin_paths);
-  if (!speaks_of_parts(*stored.bench)) return std::nullopt;
+  OpenStoredRun stored = open_stored(database, runs.front(), plugin_paths);
+  if (!speaks_of_parts(*stored.opened)) return std::nullopt;
   return ShapeReading(database, runs, std::move(stored)).read();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 #include "shapes/shape_study.h"
 #include "storage/eea/eea_store.h"
 

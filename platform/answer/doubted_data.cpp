@@ -4,9 +4,9 @@
 
 namespace lacuna {
 
-void add_doubts(const std::vector<Doubt>& doubts, Diagnosis& result) {
+void add_doubts(const std::vector<DataWarning>& doubts, Diagnosis& result) {
   std::size_t faults = result.stopped ? 1 : 0;  // the sentence about a stopped search stays first
-  for (const Doubt& doubt : doubts) {
+  for (const DataWarning& doubt : doubts) {
     const bool is_fault = doubt.severity == Severity::fault;
     const auto end = result.findings.end();
     result.findings.insert(is_fault ? result.findings.begin() + static_cast<std::ptrdiff_t>(faults++) : end,

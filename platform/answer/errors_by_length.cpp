@@ -12,8 +12,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::VectorXd mean_squares(const SearchData& data, const FittedModel& set, const PredictionLadder& ladder) {
   if (ladder.stretches.empty()) return {};
-  const ModelBench bench = data.bench_for(set.model);
-  LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data.starts(),
+  const ModelContext context = data.bench_for(set.model);
+  LadderPredictions predictions(ladder, context.predictor(), context.space(), data.starts(),
                                 changes_readings(set.model.definition));
   return settled_errors(predictions, set.fit.point.values).value_or(Eigen::VectorXd());
 }

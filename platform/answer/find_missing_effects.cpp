@@ -7,7 +7,7 @@
 #include "answer/search_findings.h"
 #include "answer/settling_test.h"
 #include "answer/stopped_search.h"
-#include "data_checks/data_doubts.h"
+#include "data_checks/data_checks.h"
 #include "data_checks/feedback_bias.h"
 #include "fitting/numerics/progress_meter.h"
 #include "foundation/processes/interrupt.h"
@@ -48,7 +48,7 @@ void look_for_feedback(const DiagnosisTask& task, const SearchResult& found, Pro
   if (!has_controller(task.trials)) return;
   meter.end_part();
   meter.begin_part("the controller in the loop");
-  const Contender& answer = found.answer().model;
+  const AugmentedModel& answer = found.answer().model;
   std::vector<std::string> findings;
   try {
     findings =
@@ -77,7 +77,7 @@ Diagnosis diagnose(const DiagnosisTask& task, ProgressMeter& meter) {
     look_for_feedback(task, found, meter, result);
   }
   const std::vector<double> fitted = FittedValues(found, found.sets.front()).values();
-  add_doubts(data_doubts({task.definition, task.model, task.trials, fitted, true}), result);
+  add_doubts(data_checks({task.definition, task.model, task.trials, fitted, true}), result);
   return result;
 }
 

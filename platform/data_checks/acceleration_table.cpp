@@ -104,7 +104,8 @@ void leave_out_rest(std::vector<ChannelAccelerations>& channels) {
 class Maker {
  public:
   /// `share`: factor on the simulated commands; their effect is scaled up again.
-  Maker(const DoubtTask& task, const std::vector<Trial>& trials, const std::vector<ChannelNoise>& noise, double share)
+  Maker(const DataCheckTask& task, const std::vector<Trial>& trials, const std::vector<ChannelNoise>& noise,
+        double share)
       : task_(task), noise_(noise), trials_(trials), share_(share) {
     predictors_.reserve(task.definition.structure.robot.actuators.size() + 1);
     predictors_.emplace_back(task.model, silenced(trials, "", share), 1);
@@ -211,7 +212,7 @@ class Maker {
     return all;
   }
 
-  const DoubtTask& task_;
+  const DataCheckTask& task_;
   const std::vector<ChannelNoise>& noise_;
   const std::vector<Trial>& trials_;
   const double share_;
@@ -240,7 +241,7 @@ double clearness(const AccelerationTable& table) {
   return std::sqrt(squares / std::max(count, 1.0));
 }
 
-AccelerationTable acceleration_table(const DoubtTask& task, const std::vector<ChannelNoise>& noise) {
+AccelerationTable acceleration_table(const DataCheckTask& task, const std::vector<ChannelNoise>& noise) {
   std::vector<Trial> trials;
   std::copy_if(task.trials.begin(), task.trials.end(), std::back_inserter(trials),
                [](const Trial& one) { return !one.held_out; });

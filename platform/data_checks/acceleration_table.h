@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data_checks/doubt.h"
+#include "data_checks/data_warning.h"
 #include "fitting/starts/start_states.h"
 
 #include <Eigen/Core>
@@ -45,7 +45,7 @@ struct AccelerationTable {
 /// accelerations over shorter ones are below five times their noise. Stretches in which the joint rests or turns are
 /// left out, since dry friction may hold any force there. Empty where a trial does not measure all of the model's
 /// state. `noise`: one value per channel of the trials.
-AccelerationTable acceleration_table(const DoubtTask& task, const std::vector<ChannelNoise>& noise);
+AccelerationTable acceleration_table(const DataCheckTask& task, const std::vector<ChannelNoise>& noise);
 
 /// RMS of the measured accelerations, in multiples of their noise.
 double clearness(const AccelerationTable& table);

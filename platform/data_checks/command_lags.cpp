@@ -73,7 +73,7 @@ Eigen::MatrixXd surroundings(const ChannelAccelerations& channel) {
   return columns / channel.deviation;
 }
 
-CommandLags command_lags(const DoubtTask& task, const AccelerationTable& table) {
+CommandLags command_lags(const DataCheckTask& task, const AccelerationTable& table) {
   CommandLags result;
   result.lags = Eigen::VectorXd::LinSpaced(2 * kSteps + 1, -kFarthest, kFarthest);
   if (!all_forces(task.definition.structure.robot)) return result;

@@ -35,7 +35,7 @@ struct CommandLags {
 };
 
 /// Each trial has its own coefficients, so that a common fault of all trials cannot look like a lag of one.
-CommandLags command_lags(const DoubtTask& task, const AccelerationTable& table);
+CommandLags command_lags(const DataCheckTask& task, const AccelerationTable& table);
 
 /// The lag with the smallest residual over all of `profiles`; an index into the lags.
 Eigen::Index best_lag(const std::vector<const CommandLagProfile*>& profiles);

@@ -1,6 +1,6 @@
 #include "data_checks/reading_scale.h"
 
-#include "data_checks/channel_doubts.h"
+#include "data_checks/channel_checks.h"
 #include "data_checks/command_lags.h"
 #include "data_checks/scaled_trials.h"
 #include "data_checks/stacked_accelerations.h"
@@ -93,14 +93,14 @@ Eigen::Index samples_for(const RobotSpec& robot) {
 
 class ScaleSearch {
  public:
-  explicit ScaleSearch(const DoubtTask& task)
+  explicit ScaleSearch(const DataCheckTask& task)
       : task_(task),
         trials_(beginnings(task.trials, samples_for(task.definition.structure.robot))),
         values_(task.definition.start_values()) {}
 
   Squares squares(const std::vector<std::string>& channels, double factor) const {
     const std::vector<Trial> scaled = divided(trials_, channels, factor);
-    const DoubtTask task{task_.definition, task_.model, scaled, values_};
+    const DataCheckTask task{task_.definition, task_.model, scaled, values_};
     const AccelerationTable table = acceleration_table(task, sensor_noise(task_.definition.structure.robot, scaled));
     Squares sum;
     for (const StackedAccelerations& one : stacked(table)) {
@@ -185,14 +185,14 @@ class ScaleSearch {
     });
   }
 
-  const DoubtTask& task_;
+  const DataCheckTask& task_;
   std::vector<Trial> trials_;
   std::vector<double> values_;  ///< of the model as written
 };
 
 }  // namespace
 
-std::optional<ReadingScale> reading_scale(const DoubtTask& task) {
+std::optional<ReadingScale> reading_scale(const DataCheckTask& task) {
   const std::vector<JointReadings> joints = joint_readings(task.definition.structure.robot);
   if (joints.size() > kMostJoints) return std::nullopt;
   const ScaleSearch search(task);

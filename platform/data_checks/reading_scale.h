@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data_checks/doubt.h"
+#include "data_checks/data_warning.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ struct ReadingScale {
 /// offset or command gain explains, and the right factor explains them with the model's own masses. An undriven fall
 /// has the acceleration of gravity. Small swings do not determine the factor, and give no result. Only factors of
 /// units, counts per turn and gears are tried.
-std::optional<ReadingScale> reading_scale(const DoubtTask& task);
+std::optional<ReadingScale> reading_scale(const DataCheckTask& task);
 
 /// Result, reason and what to do, without the line to type.
 std::string to_string(const ReadingScale& scale);

@@ -79,7 +79,7 @@ class Fitter {
  private:
   /// METHOD's step 4.
   void search(std::vector<PlannedStage>& stages) {
-    meter_.set_parts(std::max(task_.options.starts, 1) + kRivals * static_cast<int>(stages.size()) + 1);
+    meter_.set_parts(std::max(task_.options.starts, 1) + kKeptCandidates * static_cast<int>(stages.size()) + 1);
     leave_out_empty(stages);
     explore(stages.front());
     for (PlannedStage& stage : stages) {
@@ -87,10 +87,10 @@ class Fitter {
       const bool last = &stage == &stages.back();
       cut_into_segments(stage.length, last ? kAllSegments : kStageSegments);
       refine_candidates(stage.name, last ? kFine : kMiddling);
-      if (refined_ < kRivals) meter_.end_part();
+      if (refined_ < kKeptCandidates) meter_.end_part();
       if (last) look_anew(stage.name);
       record(stage);
-      keep_rivals(candidates_, problem_->samples());
+      keep_best(candidates_, problem_->samples());
     }
     settle_heads(stages.back());
     let_best_win(stages.back());
@@ -136,7 +136,7 @@ class Fitter {
     result_.starts = static_cast<int>(candidates_.size());
     refine_candidates("starting points", kCoarse);
     result_.agreeing = agreeing_;
-    keep_rivals(candidates_, problem_->samples());
+    keep_best(candidates_, problem_->samples());
   }
 
   void cut_into_segments(double length, std::size_t most) {

@@ -1,6 +1,6 @@
 #include "fitting/stages.h"
 
-#include "fitting/starts/head_fit.h"
+#include "fitting/starts/start_fit.h"
 #include "foundation/parallel.h"
 
 #include <fmt/format.h>

@@ -41,13 +41,13 @@ std::vector<JointMoment> moments_at(const LawFamily& family) {
 }
 
 /// The law with the additional term that lowers its cost most.
-std::optional<FittedLaw> longer_by_one(const LawBench& bench, const FittedLaw& law, std::size_t terms) {
+std::optional<FittedLaw> longer_by_one(const LawContext& context, const FittedLaw& law, std::size_t terms) {
   std::optional<FittedLaw> best;
   for (std::size_t term = 0; term < terms; ++term) {
     if (std::find(law.functions.begin(), law.functions.end(), term) != law.functions.end()) continue;
     std::vector<std::size_t> functions = law.functions;
     functions.push_back(term);
-    FittedLaw longer = bench.fit("", functions, kTermRidge);
+    FittedLaw longer = context.fit("", functions, kTermRidge);
     if (!best || longer.judged.cost.cost < best->judged.cost.cost) best = std::move(longer);
   }
   return best;
@@ -73,8 +73,8 @@ JointLaws::JointLaws(const SearchData& data, const FittedModel& model, const Pre
     functions_.insert(functions_.end(), family.functions.begin(), family.functions.end());
     is_of_velocity_.resize(functions_.size(), family.follows_velocity ? 1 : 0);
   }
-  bench_.emplace(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions_);
-  plain_ = bench_->fit("", {}, 0.0);
+  context_.emplace(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions_);
+  plain_ = context_->fit("", {}, 0.0);
   std::vector<std::size_t> of_motion;
   std::size_t first = 0;
   for (const LawFamily& family : families_) {
@@ -88,7 +88,7 @@ JointLaws::JointLaws(const SearchData& data, const FittedModel& model, const Pre
 }
 
 void JointLaws::add(const std::string& kind, const std::vector<std::size_t>& functions) {
-  for (FittedLaw& law : bench_->fits(kind, functions, kRidges)) laws_.push_back(std::move(law));
+  for (FittedLaw& law : context_->fits(kind, functions, kRidges)) laws_.push_back(std::move(law));
 }
 
 const FittedLaw& JointLaws::best_of(const std::string& kind) const {
@@ -99,7 +99,7 @@ const FittedLaw& JointLaws::best_of(const std::string& kind) const {
 }
 
 bool JointLaws::drives(const FittedLaw& law) const {
-  const Eigen::VectorXd sizes = bench_->sizes(law);
+  const Eigen::VectorXd sizes = context_->sizes(law);
   double power = 0.0, force_squares = 0.0, velocity_squares = 0.0;
   for (const std::vector<JointMoment>& moments : course_.trials)
     for (const JointMoment& moment : moments) {
@@ -130,8 +130,8 @@ std::vector<ForceCurve> JointLaws::curves() const {
 
 std::vector<ForceCurve> JointLaws::curves_beside(const LinearPrediction& part) const {
   std::vector<ForceCurve> all;
-  if (!bench_) return all;
-  const LawBench other(ladder_, part, model_.fit.bounds, course_, pulses_, functions_);
+  if (!context_) return all;
+  const LawContext other(ladder_, part, model_.fit.bounds, course_, pulses_, functions_);
   for (const LawFamily& family : families_) {
     const FittedLaw& law = best_of(family.kind);
     if (!family.of || !gain(law).is_told()) continue;
@@ -151,8 +151,8 @@ Eigen::VectorXd JointLaws::functions_at(const FittedLaw& law, const JointMoment&
 }
 
 void JointLaws::trace(const FittedLaw& law, const std::vector<JointMoment>& moments, ForceCurve& curve) const {
-  const Eigen::VectorXd sizes = bench_->sizes(law);
-  const Eigen::MatrixXd covariance = bench_->covariance(law);
+  const Eigen::VectorXd sizes = context_->sizes(law);
+  const Eigen::MatrixXd covariance = context_->covariance(law);
   for (const JointMoment& moment : moments) {
     const Eigen::VectorXd at = functions_at(law, moment);
     curve.force.push_back(at.dot(sizes));
@@ -189,26 +189,26 @@ std::optional<ForceCurve> JointLaws::slice_at(double position, const FittedLaw& 
 
 std::vector<ForceFormula> JointLaws::formulas(double whole_gain) const {
   const std::vector<ForceTerm> terms = force_terms(course_);
-  LawBench::Functions functions;
+  LawContext::Functions functions;
   for (const ForceTerm& term : terms) functions.push_back(term.of);
-  const LawBench bench(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions);
-  FittedLaw law = bench.fit("", {}, kTermRidge);
+  const LawContext context(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions);
+  FittedLaw law = context.fit("", {}, kTermRidge);
   while (law.functions.size() < kMostTerms) {
-    std::optional<FittedLaw> longer = longer_by_one(bench, law, terms.size());
+    std::optional<FittedLaw> longer = longer_by_one(context, law, terms.size());
     if (!longer) break;
     const CostGain more = gain_of(longer->judged, law.judged);
     if (!more.is_told() || more.nats < kWorthATerm * whole_gain) break;
     law = std::move(*longer);
   }
   if (law.functions.empty()) return {};
-  return {formula_of(bench, law, terms)};
+  return {formula_of(context, law, terms)};
 }
 
-ForceFormula JointLaws::formula_of(const LawBench& bench, const FittedLaw& law,
+ForceFormula JointLaws::formula_of(const LawContext& context, const FittedLaw& law,
                                    const std::vector<ForceTerm>& terms) const {
   ForceFormula formula{course_.joint, course_.force_unit, {}, in_nats(gain(law))};
-  const Eigen::VectorXd sizes = bench.sizes(law);
-  const Eigen::VectorXd errors = bench.covariance(law).diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd sizes = context.sizes(law);
+  const Eigen::VectorXd errors = context.covariance(law).diagonal().cwiseMax(0.0).cwiseSqrt();
   for (std::size_t i = 0; i < law.functions.size(); ++i) {
     const ForceTerm& term = terms[law.functions[i]];
     const auto at = static_cast<Eigen::Index>(i);

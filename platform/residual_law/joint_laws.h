@@ -1,7 +1,7 @@
 #pragma once
 
 #include "residual_law/force_findings.h"
-#include "residual_law/law_bench.h"
+#include "residual_law/law_context.h"
 
 #include <optional>
 #include <string>
@@ -44,7 +44,7 @@ class JointLaws {
   /// Value of each function of a law at one moment.
   Eigen::VectorXd functions_at(const FittedLaw& law, const JointMoment& moment) const;
   std::optional<ForceCurve> slice_at(double position, const FittedLaw& law) const;
-  ForceFormula formula_of(const LawBench& bench, const FittedLaw& law, const std::vector<ForceTerm>& terms) const;
+  ForceFormula formula_of(const LawContext& context, const FittedLaw& law, const std::vector<ForceTerm>& terms) const;
 
   const PredictionLadder& ladder_;
   const LinearPrediction& linear_;
@@ -52,9 +52,9 @@ class JointLaws {
   const JointCourse& course_;
   ForcePulses pulses_;
   std::vector<LawFamily> families_;
-  LawBench::Functions functions_;     ///< of all families
+  LawContext::Functions functions_;   ///< of all families
   std::vector<char> is_of_velocity_;  ///< by function: whether its family depends on the velocity
-  std::optional<LawBench> bench_;
+  std::optional<LawContext> context_;
   FittedLaw plain_;
   std::vector<FittedLaw> laws_;
 };

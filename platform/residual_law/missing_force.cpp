@@ -40,8 +40,8 @@ std::vector<JointCourse> courses_of_answer(const SearchResult& found) {
 /// A fitted model linearised on a ladder, at its values and initial states.
 std::optional<LinearPrediction> linearised(const SearchData& data, const PredictionLadder& ladder,
                                            const FittedModel& model) {
-  const ModelBench bench = data.bench_for(model.model);
-  LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data.starts(),
+  const ModelContext context = data.bench_for(model.model);
+  LadderPredictions predictions(ladder, context.predictor(), context.space(), data.starts(),
                                 changes_readings(model.model.definition));
   return predictions.linearise(model.fit.point);
 }

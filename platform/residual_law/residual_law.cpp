@@ -59,8 +59,8 @@ ResidualLaws::ResidualLaws(const SearchResult& found, const FittedModel& beside)
   const PredictionLadder& ladder = found.by_all_lengths ? data.ladder() : data.deciding();
   if (!are_long_enough(data.task().trials, ladder.lengths.front())) return;
   courses_ = joint_courses(data);
-  const ModelBench bench = data.bench_for(beside.model);
-  LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data.starts(),
+  const ModelContext context = data.bench_for(beside.model);
+  LadderPredictions predictions(ladder, context.predictor(), context.space(), data.starts(),
                                 changes_readings(beside.model.definition));
   linear_ = predictions.linearise(beside.fit.point);
   if (!linear_ || most_left(ladder, *linear_) < kOfNoise) return;

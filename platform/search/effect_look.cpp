@@ -34,11 +34,11 @@ struct LookStage {
 namespace {
 
 LookStage stage_for(const SearchData& data, const FittedModel& model, const PredictionLadder& ladder) {
-  const ModelBench bench = data.bench_for(model.model);
-  LookStage stage{ladder, bench.space(), {}, nullptr, {}, std::vector<double>(ladder.layout.cells.size(), 1.0)};
-  LadderPredictions predictions(stage.ladder, bench.predictor(), bench.space(), data.starts(),
+  const ModelContext context = data.bench_for(model.model);
+  LookStage stage{ladder, context.space(), {}, nullptr, {}, std::vector<double>(ladder.layout.cells.size(), 1.0)};
+  LadderPredictions predictions(stage.ladder, context.predictor(), context.space(), data.starts(),
                                 changes_readings(model.model.definition));
-  stage.point = predictions.at_smoothed_starts(bench.space().to_coordinates(model.model.values));
+  stage.point = predictions.at_smoothed_starts(context.space().to_coordinates(model.model.values));
   if (std::optional<LinearPrediction> linear = predictions.linearise(stage.point)) stage.linear = std::move(*linear);
   stage.whitened = std::make_shared<const WhitenedColumns>(stage.ladder, stage.linear.stretches);
   std::vector<double> squares(stage.scale.size(), 0.0), counts(stage.scale.size(), 0.0);
@@ -62,8 +62,8 @@ class ProbedHypothesis {
       : data_(data),
         model_(model),
         hypothesis_(hypothesis),
-        bench_(hypothesis.definition, *hypothesis.model, data.task().trials, data.timing(), 1, kCommandsMayAct),
-        predictions_(ladder, bench_.predictor(), bench_.space(), data.starts(),
+        context_(hypothesis.definition, *hypothesis.model, data.task().trials, data.timing(), 1, kCommandsMayAct),
+        predictions_(ladder, context_.predictor(), context_.space(), data.starts(),
                      changes_readings(hypothesis.definition)) {}
 
   bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
@@ -84,13 +84,13 @@ class ProbedHypothesis {
   PredictionPoint point(const std::vector<double>& of_model, const std::vector<double>& own) const {
     std::vector<double> all = hypothesis_.values(of_model, own);
     if (data_.timing()) all.push_back(of_model.back());
-    return predictions_.at_smoothed_starts(bench_.space().to_coordinates(all));
+    return predictions_.at_smoothed_starts(context_.space().to_coordinates(all));
   }
 
   const SearchData& data_;
   const FittedModel& model_;
   const Hypothesis& hypothesis_;
-  ModelBench bench_;
+  ModelContext context_;
   LadderPredictions predictions_;
 };
 

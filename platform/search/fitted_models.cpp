@@ -28,7 +28,7 @@ std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added
 }
 
 /// Names of a model's values in their order, with the timing's last.
-std::vector<std::string> value_names(const Contender& model, bool timing) {
+std::vector<std::string> value_names(const AugmentedModel& model, bool timing) {
   std::vector<std::string> names;
   for (const FreeValue& free : model.definition.free) names.push_back(name_of(free, model.added));
   if (timing) names.emplace_back(kTiming);
@@ -60,7 +60,7 @@ std::vector<EffectEntry> with_ids(std::vector<EffectEntry> added) {
 
 }  // namespace
 
-NamedValues named_values(const Contender& model, const std::vector<double>& values) {
+NamedValues named_values(const AugmentedModel& model, const std::vector<double>& values) {
   NamedValues result;
   for (std::size_t i = 0; i < model.definition.free.size(); ++i)
     result[name_of(model.definition.free[i], model.added)] = values[i];
@@ -68,7 +68,7 @@ NamedValues named_values(const Contender& model, const std::vector<double>& valu
   return result;
 }
 
-std::vector<double> FittedModels::values_for(const Contender& model, const NamedValues& named) const {
+std::vector<double> FittedModels::values_for(const AugmentedModel& model, const NamedValues& named) const {
   std::vector<double> values = model.definition.start_values();
   for (std::size_t i = 0; i < values.size(); ++i)
     if (const auto found = named.find(name_of(model.definition.free[i], model.added)); found != named.end())
@@ -94,11 +94,12 @@ const KeptFit* FittedModels::known_fit(const std::vector<EffectEntry>& added) co
 
 /// Without a step.
 const FittedModel* FittedModels::restore(const std::vector<EffectEntry>& added, const KeptFit& fit) {
-  Contender model = model_with(added);
-  const ModelBench bench = data_.bench_for(model);
-  LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), changes_readings(model.definition));
+  AugmentedModel model = model_with(added);
+  const ModelContext context = data_.bench_for(model);
+  LadderPredictions all(ladder_, context.predictor(), context.space(), data_.starts(),
+                        changes_readings(model.definition));
   model.values = values_for(model, fit.values);
-  const PredictionPoint point{bench.space().to_coordinates(model.values), fit.starts};
+  const PredictionPoint point{context.space().to_coordinates(model.values), fit.starts};
   PredictionFit restored = descend(all, point, 1, plain_, value_names(model, data_.timing()));
   if (restored.valid) most_on_few_ = std::max(most_on_few_, base().fit.cost - restored.cost);
   return keep(std::move(model), std::move(restored));
@@ -114,14 +115,14 @@ const FittedModel* FittedModels::find(const Members& members) const {
   return found == models_.end() ? nullptr : &found->second;
 }
 
-Contender FittedModels::model_with(const std::vector<EffectEntry>& added) const {
+AugmentedModel FittedModels::model_with(const std::vector<EffectEntry>& added) const {
   const auto holds_what_it_should = [&](const EffectEntry& entry) { return entry.fixed == held_of(entry); };
   if (const FittedModel* known = find(member_names(added));
       known && std::all_of(known->model.added.begin(), known->model.added.end(), holds_what_it_should))
     return known->model;
   std::vector<EffectEntry> entries = with_ids(added);
   for (EffectEntry& entry : entries) entry.fixed = held_of(entry);
-  Contender model = with_effects(data_.plain(), entries, {}, data_.task().catalog);
+  AugmentedModel model = with_effects(data_.plain(), entries, {}, data_.task().catalog);
   data_.bound(model);
   return model;
 }
@@ -129,16 +130,16 @@ Contender FittedModels::model_with(const std::vector<EffectEntry>& added) const 
 const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,
                                      double least_share) {
   if (const KeptFit* known = known_fit(added)) return restore(added, *known);
-  Contender model = model_with(added);
+  AugmentedModel model = model_with(added);
   if (!added.empty() && !data_.tells(static_cast<double>(model.definition.free.size()))) return nullptr;
-  const ModelBench bench = data_.bench_for(model);
+  const ModelContext context = data_.bench_for(model);
   const bool of_readings = changes_readings(model.definition);
   const std::vector<std::string> names = value_names(model, data_.timing());
-  LadderPredictions few(few_, bench.predictor(), bench.space(), data_.starts(), of_readings);
+  LadderPredictions few(few_, context.predictor(), context.space(), data_.starts(), of_readings);
   const LastSteps last = added.empty() ? LastSteps::anew : LastSteps::as_it_is;
   PredictionFit least;
   for (const NamedValues& start : starts) {
-    const Eigen::VectorXd values = bench.space().to_coordinates(values_for(model, start));
+    const Eigen::VectorXd values = context.space().to_coordinates(values_for(model, start));
     PredictionFit fit = descend(few, few.at_smoothed_starts(values), kMostIterations, few_plain_, names, last);
     ++fits_;
     if (fit.valid && (!least.valid || fit.cost < least.cost)) least = std::move(fit);
@@ -148,7 +149,7 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
   const double gain = cost_on_few_ - least.cost;
   if (gain < least_share * most_on_few_) return find(member_names(added));
   most_on_few_ = std::max(most_on_few_, gain);
-  LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), of_readings);
+  LadderPredictions all(ladder_, context.predictor(), context.space(), data_.starts(), of_readings);
   all.take_steps_of(few);
   PredictionFit fit =
       descend(all, all.at_smoothed_starts(least.point.values), kMostIterationsOnAll, plain_, names, last);
@@ -156,23 +157,24 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
     few_plain_ = {std::move(least.by_starts), std::move(least.by_values), names};
     plain_ = {fit.by_starts, fit.by_values, names};
   }
-  model.values = bench.space().to_values(fit.valid ? fit.point.values : least.point.values);
+  model.values = context.space().to_values(fit.valid ? fit.point.values : least.point.values);
   return keep(std::move(model), std::move(fit));
 }
 
 const FittedModel* FittedModels::refine(const std::vector<EffectEntry>& added, const NamedValues& start) {
-  Contender model = model_with(added);
-  const ModelBench bench = data_.bench_for(model);
-  LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), changes_readings(model.definition));
-  const Eigen::VectorXd values = bench.space().to_coordinates(values_for(model, start));
+  AugmentedModel model = model_with(added);
+  const ModelContext context = data_.bench_for(model);
+  LadderPredictions all(ladder_, context.predictor(), context.space(), data_.starts(),
+                        changes_readings(model.definition));
+  const Eigen::VectorXd values = context.space().to_coordinates(values_for(model, start));
   PredictionFit fit =
       descend(all, all.at_smoothed_starts(values), kMostIterationsOnAll, plain_, value_names(model, data_.timing()));
   ++fits_;
-  if (fit.valid) model.values = bench.space().to_values(fit.point.values);
+  if (fit.valid) model.values = context.space().to_values(fit.point.values);
   return keep(std::move(model), std::move(fit));
 }
 
-const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
+const FittedModel* FittedModels::keep(AugmentedModel candidate, PredictionFit fit) {
   const Members members = member_names(candidate.added);
   const FittedModel* known = find(members);
   const bool holds_more = known && candidate.definition.free.size() < known->model.definition.free.size();

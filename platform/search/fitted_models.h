@@ -11,11 +11,11 @@
 namespace lacuna {
 
 /// A model's values in the order of its free values, the timestamp offset last where it is fitted.
-NamedValues named_values(const Contender& model, const std::vector<double>& values);
+NamedValues named_values(const AugmentedModel& model, const std::vector<double>& values);
 
 /// A set of effects beside the model, fitted.
 struct FittedModel {
-  Contender model;  ///< its `added` are the set
+  AugmentedModel model;  ///< its `added` are the set
   PredictionFit fit;
   NamedValues values;
   CandidateSet judged;
@@ -43,12 +43,12 @@ class FittedModels {
   int fits() const { return fits_; }
 
  private:
-  std::vector<double> values_for(const Contender& model, const NamedValues& named) const;
-  Contender model_with(const std::vector<EffectEntry>& added) const;
+  std::vector<double> values_for(const AugmentedModel& model, const NamedValues& named) const;
+  AugmentedModel model_with(const std::vector<EffectEntry>& added) const;
   const KeptFit* known_fit(const std::vector<EffectEntry>& added) const;
   const FittedModel* restore(const std::vector<EffectEntry>& added, const KeptFit& fit);
   std::string kept_name(const std::vector<EffectEntry>& added) const;
-  const FittedModel* keep(Contender candidate, PredictionFit fit);
+  const FittedModel* keep(AugmentedModel candidate, PredictionFit fit);
   void judge(FittedModel& model) const;
   bool hold_redundant_values(const FittedModel& single, NamedValues& values);
   std::vector<std::string> held_of(const EffectEntry& entry) const;

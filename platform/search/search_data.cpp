@@ -39,8 +39,8 @@ std::vector<FreeValue> values_of(const ModelDefinition& definition, bool timing,
 
 }  // namespace
 
-ModelBench::ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
-                       bool timing, int threads, const TimingRange& timing_range)
+ModelContext::ModelContext(const ModelDefinition& definition, const CompiledModel& model,
+                           const std::vector<Trial>& trials, bool timing, int threads, const TimingRange& timing_range)
     : predictor_(model, trials, threads, timing ? Timing::fitted : Timing::as_recorded),
       space_(values_of(definition, timing, timing_range)) {}
 
@@ -61,7 +61,7 @@ SearchData::SearchData(const EffectSearchTask& task)
   if (timing_) plain_.values.push_back(0.0);
   reader_ = plain_;
   noise_ = sensor_noise(plain_.definition.structure.robot, task_.trials);
-  readings_ = std::make_unique<ModelBench>(reader_.definition, *reader_.model, task_.trials, timing_, 1);
+  readings_ = std::make_unique<ModelContext>(reader_.definition, *reader_.model, task_.trials, timing_, 1);
   states_ = std::make_unique<StartStates>(reader_.definition.structure.robot, readings_->predictor(), noise_);
   starts_ = std::make_unique<SmoothedStarts>(*states_, readings_->predictor().trials());
   noise_ = noise_of_readings(*starts_, readings_->predictor().trials(), noise_);
@@ -89,21 +89,21 @@ void SearchData::bound(std::vector<Hypothesis>& hypotheses) const {
   }
 }
 
-LadderSource SearchData::source(const ModelBench& bench) const {
-  return {plain_.definition.structure.robot, bench.predictor(), *states_, *starts_, noise_};
+LadderSource SearchData::source(const ModelContext& context) const {
+  return {plain_.definition.structure.robot, context.predictor(), *states_, *starts_, noise_};
 }
 
 PredictionLadder SearchData::held_out() const {
-  const ModelBench bench = bench_for(plain_);
-  LadderSource held_out = source(bench);
+  const ModelContext context = bench_for(plain_);
+  LadderSource held_out = source(context);
   held_out.held_out = true;
   return ladder_of(held_out, ladder_.lengths, static_cast<std::size_t>(kMostStretches));
 }
 
 void SearchData::build_ladders() {
-  const ModelBench bench = bench_for(plain_);
-  const LadderSource fitted = source(bench);
-  const std::vector<double> lengths = prediction_lengths(fitted, bench.space(), plain_.values);
+  const ModelContext context = bench_for(plain_);
+  const LadderSource fitted = source(context);
+  const std::vector<double> lengths = prediction_lengths(fitted, context.space(), plain_.values);
   ladder_ = ladder_of(fitted, lengths, most_stretches(task_.trials, lengths, kMostSamples / root_of_channels(noise_)));
   deciding_ = shorter(ladder_, kDecidingLengths);
   if (ladder_.stretches.empty())
@@ -113,19 +113,21 @@ void SearchData::build_ladders() {
 /// Doubles the number of integration steps until the cost of the model as it is stays the same. With ground contact the
 /// error follows no order of the step, so the step is kept.
 void SearchData::choose_substeps() {
-  const ModelBench first = bench_for(plain_);
+  const ModelContext first = bench_for(plain_);
   const PredictionLadder few = ladder_of(source(first), deciding_.lengths, kFewStretches);
-  const auto residuals_of = [&](const Contender& model, std::vector<Eigen::VectorXd>& residuals) {
-    const ModelBench bench = bench_for(model);
-    LadderPredictions predictions(few, bench.predictor(), bench.space(), *starts_, changes_readings(model.definition));
-    return predictions.residuals(predictions.at_smoothed_starts(bench.space().to_coordinates(model.values)), residuals);
+  const auto residuals_of = [&](const AugmentedModel& model, std::vector<Eigen::VectorXd>& residuals) {
+    const ModelContext context = bench_for(model);
+    LadderPredictions predictions(few, context.predictor(), context.space(), *starts_,
+                                  changes_readings(model.definition));
+    return predictions.residuals(predictions.at_smoothed_starts(context.space().to_coordinates(model.values)),
+                                 residuals);
   };
   const int start = std::max(1, plain_.definition.engine.substeps);
   std::vector<Eigen::VectorXd> now, then;
   bool is_valid = residuals_of(plain_, now);
   const int most = plain_.definition.structure.robot.contact.ground ? start : kMostSubsteps * start;
   for (int substeps = 2 * start; substeps <= most; substeps *= 2) {
-    Contender finer = plain_;
+    AugmentedModel finer = plain_;
     finer.experiment.engine.substeps = substeps;
     finer.definition = define_model(finer.experiment, task_.catalog);
     finer.model = compile(finer.definition.structure, finer.definition.engine);

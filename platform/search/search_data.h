@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/schema/experiment.h"
-#include "candidates/contender.h"
+#include "candidates/augmented_model.h"
 #include "candidates/data_scales.h"
 #include "candidates/timing.h"
 #include "loading/plugin_catalog.h"
@@ -37,10 +37,10 @@ struct EffectSearchTask {
 };
 
 /// One candidate model, ready for predictions by several threads.
-class ModelBench {
+class ModelContext {
  public:
-  ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
-             bool timing, int threads, const TimingRange& timing_range = {});
+  ModelContext(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
+               bool timing, int threads, const TimingRange& timing_range = {});
 
   const TrialPredictor& predictor() const { return predictor_; }
   const ParameterSpace& space() const { return space_; }
@@ -64,7 +64,7 @@ class SearchData {
   explicit SearchData(const EffectSearchTask& task);
 
   const EffectSearchTask& task() const { return task_; }
-  const Contender& plain() const { return plain_; }  ///< the model as it is
+  const AugmentedModel& plain() const { return plain_; }  ///< the model as it is
   const SmoothedStarts& starts() const { return *starts_; }
   const PredictionLadder& ladder() const { return ladder_; }      ///< of all lengths
   const PredictionLadder& deciding() const { return deciding_; }  ///< of the shortest
@@ -73,7 +73,7 @@ class SearchData {
   /// See `data_scales`.
   const std::map<std::string, double>& scales() const { return scales_; }
   /// Limits values of added effects to what the readings resolve.
-  void bound(Contender& model) const { bound_by_resolution(model.added, scales_, model.definition.free); }
+  void bound(AugmentedModel& model) const { bound_by_resolution(model.added, scales_, model.definition.free); }
   void bound(std::vector<Hypothesis>& hypotheses) const;
   double readings() const;  ///< that are fitted
   /// Whether there are readings enough for so many values: eight for each.
@@ -81,21 +81,21 @@ class SearchData {
   /// Whether the timestamp offset of commands is fitted as a last value beside the model's.
   bool timing() const { return timing_; }
 
-  ModelBench bench_for(const Contender& model) const {
+  ModelContext bench_for(const AugmentedModel& model) const {
     return {model.definition, *model.model, task_.trials, timing_, task_.threads, kCommandsMayAct};
   }
 
  private:
-  LadderSource source(const ModelBench& bench) const;
+  LadderSource source(const ModelContext& context) const;
   void build_ladders();
   void choose_substeps();
 
   const EffectSearchTask task_;
   const std::map<std::string, double> scales_;
   bool timing_ = false;
-  Contender plain_, reader_;
+  AugmentedModel plain_, reader_;
   std::vector<ChannelNoise> noise_;
-  std::unique_ptr<ModelBench> readings_;
+  std::unique_ptr<ModelContext> readings_;
   std::unique_ptr<StartStates> states_;
   std::unique_ptr<SmoothedStarts> starts_;
   PredictionLadder ladder_, deciding_;

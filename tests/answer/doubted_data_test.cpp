@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 
-const Doubt kFault{Severity::fault, "a fault"}, kNote{Severity::note, "a note"};
+const DataWarning kFault{Severity::fault, "a fault"}, kNote{Severity::note, "a note"};
 
 Diagnosis sure(Verdict verdict) {
   Diagnosis diagnosis;

@@ -23,7 +23,7 @@ TEST(WorkerBench, IsRefusedWhereAFileIsNotTheHosts) {
   task.experiment = file;
   task.text = text;
   task.files = {std::string(64, '0')};
-  EXPECT_THAT([&] { open_worker_bench(task); },
+  EXPECT_THAT([&] { open_worker_run(task); },
               testing::ThrowsMessage<Error>(testing::HasSubstr("has changed since the run began")));
 }
 

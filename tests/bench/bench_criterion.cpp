@@ -1,6 +1,6 @@
 #include "answer/fitted_values.h"
 #include "answer/search_findings.h"
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "foundation/processes/interrupt.h"
 #include "search/effect_search.h"
 
@@ -99,8 +99,8 @@ json search(const std::string& file) {
   const double begin = processor_seconds();
   CommonOptions options;
   options.experiment = file;
-  const Rig rig = open_rig(options);
-  EffectSearchTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  const OpenExperiment opened = open_experiment(options);
+  EffectSearchTask task{opened.experiment, *opened.catalog, opened.trials, opened.definition.start_values()};
   if (std::getenv("LACUNA_NOTES") != nullptr)
     task.note = [&](const std::string& what) {
       fmt::print(stderr, "{:.1f} s {}\n", processor_seconds() - begin, what);

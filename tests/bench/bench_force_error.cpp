@@ -1,4 +1,4 @@
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "bench/force_error.h"
 
 #include <fmt/core.h>
@@ -23,15 +23,15 @@ int main(int argc, char** argv) {
     CommonOptions options;
     options.experiment = argv[1];
     if (argc > 3) options.database = argv[3];
-    Workbench bench(options);
-    const std::vector<double> values = bench.fit_model().result.parameters();
-    const Rig& rig = bench.rig();
-    for (const Trial& trial : rig.trials) {
-      const ForceError error = force_error(*rig.model, trial, values, cutoff);
+    ExperimentWorkflow workflow(options);
+    const std::vector<double> values = workflow.fit_model().result.parameters();
+    const OpenExperiment& opened = workflow.opened();
+    for (const Trial& trial : opened.trials) {
+      const ForceError error = force_error(*opened.model, trial, values, cutoff);
       fmt::print("{} {}: {:.3g} rms, {:.2f} % of the command's, low-pass {:g} Hz\n",
                  trial.held_out ? "held out" : "fit     ", trial.name, error.rms, 100.0 * error.relative, cutoff);
     }
-    bench.ledger().done();
+    workflow.recorder().done();
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return EXIT_FAILURE;

@@ -29,12 +29,12 @@ class NoJournal : public EeaJournal {
   void checkpoint(const EeaState&, bool) override {}
 };
 
-EeaBench bench_of(const std::filesystem::path& experiment, int passes) {
+OpenEeaRun bench_of(const std::filesystem::path& experiment, int passes) {
   CommonOptions options;
   options.experiment = experiment;
   options.overrides = {fmt::format("experiment.passes={}", passes)};
   options.plugin_paths = {LACUNA_PLUGINS_DIRECTORY};
-  return EeaBench(open_rig(options));
+  return OpenEeaRun(open_experiment(options));
 }
 
 double seconds_of(const std::function<void()>& work) {
@@ -43,17 +43,17 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<PassRow> passes_of_run(const EeaBench& bench, const std::filesystem::path& file, int threads) {
+std::vector<PassRow> passes_of_run(const OpenEeaRun& opened, const std::filesystem::path& file, int threads) {
   for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + ending);
   Database database = Database::open(file);
   ResultStore store(database);
   const RunId run = store.begin_run({"bench_run", 1, threads}, provenance_of_this_program());
-  const Experiment& experiment = bench.rig().experiment;
+  const Experiment& experiment = opened.opened().experiment;
   const ExperimentId id =
       store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides});
   store.hand_over();
   const std::vector<PlannedReplicate> planned = {{run, 1}};
-  Replicates replicates(bench, database, id);
+  Replicates replicates(opened, database, id);
   replicates.enter(planned);
   RunDisplay display(planned, true, nullptr);
   const std::vector<ReplicateEnd> ends = replicates.run(planned, threads, display);
@@ -83,7 +83,7 @@ void await(pid_t child) {
 }  // namespace
 
 TimedRun::TimedRun(const std::filesystem::path& experiment, int passes)
-    : bench_(bench_of(experiment, passes)),
+    : opened_(bench_of(experiment, passes)),
       folder_(std::filesystem::temp_directory_path() / fmt::format("lacuna-bench-{}", getpid())) {
   std::filesystem::create_directories(folder_);
 }
@@ -94,21 +94,21 @@ TimedRun::~TimedRun() {
 }
 
 double TimedRun::stored(int threads) const {
-  return seconds_of([&] { passes_of_run(bench_, folder_ / "run.db", threads); });
+  return seconds_of([&] { passes_of_run(opened_, folder_ / "run.db", threads); });
 }
 
 double TimedRun::unstored(int threads) const {
   return seconds_of([&] {
     NoJournal journal;
-    EeaState state = beginning(bench_);
-    const ReplicateTarget target(bench_, 1, 1);
-    eea_loop({.definition = bench_.definition(),
+    EeaState state = beginning(opened_);
+    const ReplicateTarget target(opened_, 1, 1);
+    eea_loop({.definition = opened_.definition(),
               .journal = journal,
               .seed = 1,
               .replicate = 1,
               .threads = threads,
-              .truth = bench_.truth(1),
-              .target = bench_.target() ? &bench_.target()->structure.robot : nullptr,
+              .truth = opened_.truth(1),
+              .target = opened_.target() ? &opened_.target()->structure.robot : nullptr,
               .progress = {}},
              target.target(), state);
   });
@@ -118,7 +118,7 @@ double TimedRun::two_processes() const {
   return seconds_of([&] {
     std::array<pid_t, 2> children = {};
     for (std::size_t i = 0; i < children.size(); ++i)
-      children[i] = begin_process([&] { passes_of_run(bench_, folder_ / fmt::format("process-{}.db", i), 1); });
+      children[i] = begin_process([&] { passes_of_run(opened_, folder_ / fmt::format("process-{}.db", i), 1); });
     for (const pid_t child : children) await(child);
   });
 }
@@ -126,17 +126,17 @@ double TimedRun::two_processes() const {
 /// The naive loop simulates every individual of every generation on all trials to their end; the population and the
 /// number of generations are the search's parameters.
 RunSteps TimedRun::steps() const {
-  const EeaDefinition& definition = bench_.definition();
+  const EeaDefinition& definition = opened_.definition();
   const ParameterDeclarations declared = definition.estimation.strategy->parameters();
   const auto parameter = [&](const char* name) {
     for (std::size_t i = 0; i < declared.size(); ++i)
       if (declared[i].name == name) return static_cast<std::uint64_t>(definition.estimation.strategy.parameters[i]);
     throw Error(std::string("the search has no parameter \"") + name + "\" to count the naive loop's steps by");
   };
-  const auto in_trial =
-      static_cast<std::uint64_t>(std::llround(bench_.rig().experiment.test.duration / definition.model.engine.step));
+  const auto in_trial = static_cast<std::uint64_t>(
+      std::llround(opened_.opened().experiment.test.duration / definition.model.engine.step));
   RunSteps steps;
-  for (const PassRow& pass : passes_of_run(bench_, folder_ / "steps.db", 2)) {
+  for (const PassRow& pass : passes_of_run(opened_, folder_ / "steps.db", 2)) {
     const std::uint64_t of_model = in_trial * static_cast<std::uint64_t>(pass.number);
     steps.taken += pass.steps;
     steps.without_survivors += pass.evaluations * of_model;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -31,7 +31,7 @@ class TimedRun {
   RunSteps steps() const;
 
  private:
-  EeaBench bench_;
+  OpenEeaRun opened_;
   std::filesystem::path folder_;
 };
 

@@ -1,6 +1,6 @@
 #include "data_checks/reading_scale.h"
 
-#include "data_checks/data_doubts.h"
+#include "data_checks/data_checks.h"
 #include "data_checks/recorded_pendulum.h"
 
 #include <gmock/gmock.h>
@@ -112,7 +112,7 @@ TEST(ReadingScaleTest, SaysNothingOfSmallSwings) {
 TEST(ReadingScaleTest, IsAmongTheDoubts) {
   RecordedPendulum rig = swinging_widely();
   misread(rig, 0.25);
-  EXPECT_THAT(faults_among(data_doubts({rig.definition, *rig.model, rig.trials, rig.values})),
+  EXPECT_THAT(faults_among(data_checks({rig.definition, *rig.model, rig.trials, rig.values})),
               Contains(HasSubstr("angle: the readings agree with the known forces after they are multiplied by 4")));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data_checks/doubt.h"
+#include "data_checks/data_warning.h"
 #include "fitting/numerics/seeded_noise.h"
 #include "foundation/address.h"
 

@@ -14,22 +14,22 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 TEST(EeaLoop, GivesTheSameRowsWithAnyNumberOfThreads) {
-  const auto bench = small_bench();
-  const MemoryJournal one = run(*bench, 1), three = run(*bench, 3);
+  const auto opened = small_bench();
+  const MemoryJournal one = run(*opened, 1), three = run(*opened, 3);
   expect_same_models(one.models, three.models);
   expect_same_tests(one.tests, three.tests);
 }
 
 TEST(EeaLoop, DependsOnItsSeed) {
-  const auto bench = small_bench();
-  const MemoryJournal first = run(*bench, 1, 1), other = run(*bench, 1, 2);
+  const auto opened = small_bench();
+  const MemoryJournal first = run(*opened, 1, 1), other = run(*opened, 1, 2);
   EXPECT_FALSE(same(first.models.front().genome, other.models.front().genome));
   EXPECT_FALSE(same(first.tests.front().genome, other.tests.front().genome));
 }
 
 TEST(EeaLoop, DoesWhatTheSeedSays) {
-  const auto bench = small_bench();
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench();
+  const MemoryJournal journal = run(*opened);
   // Two passes: a trial each, and one more that shows how the last test transfers.
   ASSERT_EQ(journal.trial_rows.size(), 3U);
   EXPECT_FALSE(journal.trial_rows[1].for_transfer);
@@ -53,8 +53,8 @@ TEST(EeaLoop, DoesWhatTheSeedSays) {
 }
 
 TEST(EeaLoop, TheBestModelIsTheBestOfItsPassAndItsTestTheBestTest) {
-  const auto bench = small_bench();
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench();
+  const MemoryJournal journal = run(*opened);
   for (const PassRow& pass : journal.passes) {
     double best = kInfinity, fittest = -kInfinity;
     for (const ModelRow& model : journal.models)
@@ -68,16 +68,16 @@ TEST(EeaLoop, TheBestModelIsTheBestOfItsPassAndItsTestTheBestTest) {
 }
 
 TEST(EeaLoop, AModelWithTheTruthExplainsEveryTrial) {
-  const auto bench = small_bench();
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench();
+  const MemoryJournal journal = run(*opened);
   std::vector<ScoredTrial> scored;
   for (std::size_t i = 0; i < journal.trials.size(); ++i) {
     const Genome& genome = journal.tests[*journal.trial_rows[i].test].genome;
-    scored.push_back({bench->definition().decode_test(genome), journal.trials[i], 0});
+    scored.push_back({opened->definition().decode_test(genome), journal.trials[i], 0});
   }
-  const ModelScorer scorer(*bench->definition().compiled, scored, bench->definition().metric, 1);
+  const ModelScorer scorer(*opened->definition().compiled, scored, opened->definition().metric, 1);
   ModelScore score;
-  scorer.score({bench->truth(1)}, std::nullopt, 0, score);
+  scorer.score({opened->truth(1)}, std::nullopt, 0, score);
   EXPECT_EQ(score.kind, ScoreKind::full);
   EXPECT_EQ(score.total, 0.0);
 }
@@ -107,13 +107,13 @@ TEST(EeaLoop, AbandoningAndReuseChangeNoSurvivor) {
 }
 
 /// From its checkpoints, every or every so many, a run comes to the same rows.
-void expect_resumable(const EeaBench& bench, std::size_t every = 1) {
-  const MemoryJournal whole = run(bench);
+void expect_resumable(const OpenEeaRun& opened, std::size_t every = 1) {
+  const MemoryJournal whole = run(opened);
   for (std::size_t at = 0; at < whole.checkpoints.size(); at += every) {
-    EeaState state = state_at(bench, whole, whole.checkpoints[at]);
+    EeaState state = state_at(opened, whole, whole.checkpoints[at]);
     const std::uint64_t models_before = state.models;
     MemoryJournal rest;
-    run(bench, rest, state);
+    run(opened, rest, state);
     const std::vector<ModelRow> expected(whole.models.begin() + static_cast<std::ptrdiff_t>(models_before),
                                          whole.models.end());
     expect_same_models(rest.models, expected);
@@ -146,8 +146,8 @@ const std::vector<std::string> kReplayed = {"estimation.replay=true", "estimatio
 TEST(EeaLoop, GoesOnFromEveryCheckpointWithDelaysThatNoGeneSays) { expect_resumable(*small_bench(kReplayed)); }
 
 TEST(EeaLoop, AnApproximateModelBeginsWithExploration) {
-  const auto bench = small_bench({"model.approximate=true"});
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({"model.approximate=true"});
+  const MemoryJournal journal = run(*opened);
   ASSERT_EQ(journal.passes.size(), 3U);
   EXPECT_EQ(journal.passes.front().number, 0);
   EXPECT_EQ(journal.passes.front().evaluations, 0U);
@@ -160,23 +160,23 @@ TEST(EeaLoop, AnApproximateModelBeginsWithExploration) {
 }
 
 TEST(EeaLoop, ARandomTestFitnessNeedsNoModel) {
-  const auto bench = small_bench({"exploration.fitness=random"});
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({"exploration.fitness=random"});
+  const MemoryJournal journal = run(*opened);
   EXPECT_EQ(journal.tests.size(), 3U);
   EXPECT_EQ(journal.passes.front().test_evaluations, 0U);
 }
 
 TEST(EeaLoop, SeedsOfThePassBeforeStartTheNextOne) {
-  const auto bench = small_bench({"estimation.seeds=2"});
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({"estimation.seeds=2"});
+  const MemoryJournal journal = run(*opened);
   const ModelRow& best = journal.models[*journal.passes[0].best_model];
   EXPECT_TRUE(same(journal.models[36].genome, best.genome));
 }
 
 TEST(EeaLoop, ModelsThatCannotBeSimulatedAreCountedWithTheirReason) {
   // Masses down to a gram under stiff servos and hard contacts: some of these robots explode.
-  const auto bench = small_bench({"model.free.'body.*.mass'=[1e-9,1e12]"});
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({"model.free.'body.*.mass'=[1e-9,1e12]"});
+  const MemoryJournal journal = run(*opened);
   std::uint64_t invalid = 0;
   for (const ModelRow& model : journal.models) {
     if (model.kind != EvaluationKind::invalid) continue;
@@ -214,17 +214,17 @@ parameters = { generations = 60 }
 )";
 
 TEST(EeaLoop, EstimatesOnRecordedTrials) {
-  const auto bench = small_bench({}, kMeasuredPendulum, true);
-  EXPECT_FALSE(bench->takes_tests());
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({}, kMeasuredPendulum, true);
+  EXPECT_FALSE(opened->takes_tests());
+  const MemoryJournal journal = run(*opened);
   EXPECT_TRUE(journal.tests.empty());
   ASSERT_EQ(journal.passes.size(), 1U);
   ASSERT_EQ(journal.passes[0].best_values.size(), 3U);
   EXPECT_LT(journal.passes[0].best_score, 1e-3);  // rad, mean absolute difference; the encoder's step is 3.1e-3
-  const auto damping = std::find_if(bench->definition().model.free.begin(), bench->definition().model.free.end(),
+  const auto damping = std::find_if(opened->definition().model.free.begin(), opened->definition().model.free.end(),
                                     [](const FreeValue& value) { return value.address == "joint.hinge.damping"; });
   const double found =
-      journal.passes[0].best_values[static_cast<std::size_t>(damping - bench->definition().model.free.begin())];
+      journal.passes[0].best_values[static_cast<std::size_t>(damping - opened->definition().model.free.begin())];
   EXPECT_NEAR(found, 0.021, 0.001);  // N*m*s/rad, of the bench
 }
 

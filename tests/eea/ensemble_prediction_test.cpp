@@ -14,7 +14,7 @@ namespace {
 class EnsemblePredictionTest : public testing::Test {
  protected:
   EnsemblePredictionTest()
-      : bench_(small_bench({"estimation.restarts=3", "estimation.ensemble=3"})), journal_(run(*bench_)) {
+      : opened_(small_bench({"estimation.restarts=3", "estimation.ensemble=3"})), journal_(run(*opened_)) {
     const PassRow& pass = journal_.passes.back();
     ensemble_.pass = pass.number;
     for (const EnsembleRow& row : pass.ensemble)
@@ -24,7 +24,7 @@ class EnsemblePredictionTest : public testing::Test {
     ensemble_.noise = noise_of_readings(definition(), ensemble_.models.front(), {observed(0)}, steps);
   }
 
-  const EeaDefinition& definition() const { return bench_->definition(); }
+  const EeaDefinition& definition() const { return opened_->definition(); }
   ScoredTrial observed(std::size_t trial) const {
     const std::uint64_t test = *journal_.trial_rows.at(trial).test;
     return definition().observed(definition().decode_test(journal_.tests.at(test).genome), journal_.trials.at(trial));
@@ -33,7 +33,7 @@ class EnsemblePredictionTest : public testing::Test {
     return predict_test(definition(), ensemble_, as_carried_out(observed(0)), definition().sample_times, threads);
   }
 
-  std::unique_ptr<EeaBench> bench_;
+  std::unique_ptr<OpenEeaRun> opened_;
   MemoryJournal journal_;
   PassEnsemble ensemble_;
 };

@@ -13,38 +13,38 @@ namespace lacuna {
 namespace {
 
 TEST(Judges, AreThoseThatDiffer) {
-  const auto bench = small_bench(
+  const auto opened = small_bench(
       {"estimation.restarts=3", "exploration.fitness=model_disagreement", "exploration.fitness_parameters={models=3}"});
-  EXPECT_EQ(bench->definition().value.models(), 3U);
-  const MemoryJournal journal = run(*bench);
+  EXPECT_EQ(opened->definition().value.models(), 3U);
+  const MemoryJournal journal = run(*opened);
   EXPECT_GT(journal.passes[0].best_fitness, 0.0);
   // Each test is simulated on three models, 30 steps each; the noise takes one simulation more a trial.
   EXPECT_GE(journal.passes[0].test_steps, journal.passes[0].test_evaluations * 3 * 30);
 }
 
 /// A state with one trial and the best models of the first pass.
-EeaState after_first_pass(const EeaBench& bench) {
+EeaState after_first_pass(const OpenEeaRun& opened) {
   MemoryJournal journal;
-  EeaState state = beginning(bench);
-  run(bench, journal, state);
+  EeaState state = beginning(opened);
+  run(opened, journal, state);
   for (const std::vector<double>& checkpoint : journal.checkpoints) {
-    EeaState then = state_at(bench, journal, checkpoint);
+    EeaState then = state_at(opened, journal, checkpoint);
     if (then.phase == Phase::exploration) return then;
   }
   throw Error("the run never explored");
 }
 
 TEST(Judges, KnowTheNoiseOfEachChannel) {
-  const auto bench = small_bench({"exploration.fitness=model_disagreement", "estimation.sensors=['sensor.angle*']",
-                                  "target.noise.'sensor.angle_front_left'=0.02"});
-  const EeaState state = after_first_pass(*bench);
-  const Judges judges(bench->definition(), 1, state);
+  const auto opened = small_bench({"exploration.fitness=model_disagreement", "estimation.sensors=['sensor.angle*']",
+                                   "target.noise.'sensor.angle_front_left'=0.02"});
+  const EeaState state = after_first_pass(*opened);
+  const Judges judges(opened->definition(), 1, state);
   std::vector<TestPrediction> predictions(judges.size());
   std::uint64_t steps = 0;
   std::string reason;
   ASSERT_TRUE(judges.predict(state.trials[0].drive, 0, predictions, steps, reason)) << reason;
   ASSERT_EQ(predictions.size(), 2U);
-  const std::vector<Channel>& channels = bench->definition().compiled->channels();
+  const std::vector<Channel>& channels = opened->definition().compiled->channels();
   ASSERT_EQ(predictions[0].noise.size(), channels.size());
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const bool is_scored = channels[c].name.starts_with("angle");
@@ -60,15 +60,15 @@ TEST(Judges, KnowTheNoiseOfEachChannel) {
 }
 
 TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
-  const auto bench = small_bench({"exploration.fitness=model_disagreement",
-                                  "exploration.fitness_parameters={refit=1,noise=0.1}", "test.duration=0.1"});
-  const EeaState state = after_first_pass(*bench);
-  const Judges judges(bench->definition(), 1, state);
+  const auto opened = small_bench({"exploration.fitness=model_disagreement",
+                                   "exploration.fitness_parameters={refit=1,noise=0.1}", "test.duration=0.1"});
+  const EeaState state = after_first_pass(*opened);
+  const Judges judges(opened->definition(), 1, state);
   std::vector<TestPrediction> predictions(judges.size());
   std::uint64_t steps = 0;
   std::string reason;
   ASSERT_TRUE(judges.predict(state.trials[0].drive, 0, predictions, steps, reason)) << reason;
-  const std::size_t free = bench->definition().model.free.size();
+  const std::size_t free = opened->definition().model.free.size();
   ASSERT_EQ(predictions[0].slopes.size(), free);
   EXPECT_EQ(predictions[0].information.rows(), static_cast<Eigen::Index>(free));
   // At least what the range says, more where a trial told something.
@@ -80,8 +80,8 @@ TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
   EXPECT_GT(told, 0.0);
   // Against two simulations of another width: of a mass, and of a lag, of which only whole steps count.
   const ModelProposal& judge = state.best.front().model;
-  const std::vector<FreeValue>& values = bench->definition().model.free;
-  const TestPredictor predictor(*bench->definition().compiled, bench->definition().sample_times, 1);
+  const std::vector<FreeValue>& values = opened->definition().model.free;
+  const TestPredictor predictor(*opened->definition().compiled, opened->definition().sample_times, 1);
   int lags = 0;
   for (std::size_t k = 0; k < free; ++k) {
     const bool is_lag = values[k].address.ends_with("delay");
@@ -102,16 +102,16 @@ TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
 }
 
 TEST(Judges, OfTestsThatNeedSlopesNothingIsKnownOnTheTarget) {
-  const auto bench = small_bench({"exploration.fitness=information_gain"});
-  EXPECT_EQ(bench->definition().value.models(), 1U);
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({"exploration.fitness=information_gain"});
+  EXPECT_EQ(opened->definition().value.models(), 1U);
+  const MemoryJournal journal = run(*opened);
   for (const TargetTrialRow& row : journal.trial_rows) EXPECT_TRUE(std::isnan(row.measured_fitness));
 }
 
 TEST(Judges, BeforeTheFirstTrialAnApproximateModelHasNothingToBeComparedWith) {
-  const auto bench =
+  const auto opened =
       small_bench({"model.approximate=true", "exploration.fitness=model_disagreement", "exploration.stop_below=1e9"});
-  const MemoryJournal journal = run(*bench);
+  const MemoryJournal journal = run(*opened);
   EXPECT_EQ(journal.passes[0].number, 0);
   EXPECT_EQ(journal.passes[0].test_evaluations, 0U) << "a random test";
   EXPECT_EQ(journal.passes[0].stopped, "");
@@ -119,9 +119,9 @@ TEST(Judges, BeforeTheFirstTrialAnApproximateModelHasNothingToBeComparedWith) {
 }
 
 TEST(TestValue, AddsWeightedFitnesses) {
-  const auto bench = small_bench({"exploration.fitness=model_disagreement", "exploration.fitness_parameters={noise=1}",
-                                  "exploration.mix=[{fitness='forward_distance',weight=-2.0}]"});
-  const TestValue& value = bench->definition().value;
+  const auto opened = small_bench({"exploration.fitness=model_disagreement", "exploration.fitness_parameters={noise=1}",
+                                   "exploration.mix=[{fitness='forward_distance',weight=-2.0}]"});
+  const TestValue& value = opened->definition().value;
   EXPECT_EQ(value.name(), "model_disagreement + -2 forward_distance");
   EXPECT_EQ(value.models(), 2U);
   std::vector<TestPrediction> predictions(2);

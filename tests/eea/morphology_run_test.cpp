@@ -14,19 +14,19 @@ using testing::HasSubstr;
 
 constexpr double kRoundedAway = 1e-9;  // of ranges after 20 steps, where two robots differ by rounding
 
-ScoredTrial trial_of(const EeaBench& bench, const MemoryJournal& journal, std::size_t number) {
-  const EeaDefinition& definition = bench.definition();
+ScoredTrial trial_of(const OpenEeaRun& opened, const MemoryJournal& journal, std::size_t number) {
+  const EeaDefinition& definition = opened.definition();
   const Genome& test = journal.tests[*journal.trial_rows[number].test].genome;
   return definition.scored(definition.decode_test(test), journal.trials[number], 1);
 }
 
 /// A little in the ground: of parts that just touch it, rounding decides which of them hold.
 TEST(MorphologyRun, AGenomeOfTheTargetExplainsItsTrials) {
-  const auto bench = small_bench({}, kSmallShape);
-  const EeaDefinition& definition = bench->definition();
+  const auto opened = small_bench({}, kSmallShape);
+  const EeaDefinition& definition = opened->definition();
   EXPECT_EQ(definition.exploration.layout().size(), 46U) << "6 sensors, 3 hidden neurons, 4 motors";
-  const MemoryJournal journal = run(*bench);
-  const ScoredTrial trial = trial_of(*bench, journal, 0);
+  const MemoryJournal journal = run(*opened);
+  const ScoredTrial trial = trial_of(*opened, journal, 0);
   EXPECT_EQ(trial.trial.measured.channels.size(), 20U) << "the ranges alone";
   EXPECT_EQ(trial.trial.measured.times.size(), 21);
   const ModelScorer scorer(*definition.compiled, {trial}, definition.metric, 1, &definition.model);
@@ -40,8 +40,8 @@ TEST(MorphologyRun, AGenomeOfTheTargetExplainsItsTrials) {
 }
 
 TEST(MorphologyRun, PassesSayHowFarTheShapeIsFromTheTargets) {
-  const auto bench = small_bench({}, kSmallShape);
-  const MemoryJournal journal = run(*bench);
+  const auto opened = small_bench({}, kSmallShape);
+  const MemoryJournal journal = run(*opened);
   ASSERT_EQ(journal.passes.size(), 2U);
   for (const PassRow& pass : journal.passes) {
     EXPECT_EQ(pass.evaluations, 12U + 3U * 9U);
@@ -54,19 +54,19 @@ TEST(MorphologyRun, PassesSayHowFarTheShapeIsFromTheTargets) {
 }
 
 TEST(MorphologyRun, AnyNumberOfThreadsGivesTheSameRows) {
-  const auto bench = small_bench({}, kSmallShape);
-  const MemoryJournal one = run(*bench, 1), three = run(*bench, 3);
+  const auto opened = small_bench({}, kSmallShape);
+  const MemoryJournal one = run(*opened, 1), three = run(*opened, 3);
   expect_same_models(one.models, three.models);
 }
 
 TEST(MorphologyRun, GoesOnFromEveryCheckpointWithTheSameRows) {
-  const auto bench = small_bench({}, kSmallShape);
-  const MemoryJournal whole = run(*bench);
+  const auto opened = small_bench({}, kSmallShape);
+  const MemoryJournal whole = run(*opened);
   for (const std::vector<double>& checkpoint : whole.checkpoints) {
-    EeaState state = state_at(*bench, whole, checkpoint);
+    EeaState state = state_at(*opened, whole, checkpoint);
     const std::uint64_t before = state.models;
     MemoryJournal rest;
-    run(*bench, rest, state);
+    run(*opened, rest, state);
     expect_same_models(rest.models, {whole.models.begin() + static_cast<std::ptrdiff_t>(before), whole.models.end()});
     if (rest.passes.empty()) continue;
     ASSERT_EQ(rest.passes.back().objective.size(), 7U);
@@ -75,9 +75,9 @@ TEST(MorphologyRun, GoesOnFromEveryCheckpointWithTheSameRows) {
 }
 
 TEST(MorphologyRun, ModelsThatCannotDifferAreSimulatedOnce) {
-  const auto bench = small_bench({"estimation.parameters.generations=30"}, kSmallShape);
+  const auto opened = small_bench({"estimation.parameters.generations=30"}, kSmallShape);
   const auto naive = small_bench({"estimation.parameters.generations=30", "estimation.reuse=false"}, kSmallShape);
-  const MemoryJournal a = run(*bench), b = run(*naive);
+  const MemoryJournal a = run(*opened), b = run(*naive);
   ASSERT_EQ(a.models.size(), b.models.size());
   for (std::size_t i = 0; i < a.models.size(); ++i) EXPECT_TRUE(same(a.models[i].score, b.models[i].score)) << i;
   EXPECT_GT(a.passes[0].reused, 10U) << "a mutation often leaves the robot what it was";

@@ -140,7 +140,7 @@ TEST(SeveralModels, TheDelaysOfTheRightMassesAreTheTargets) {
 }
 
 /// A pendulum with dry friction, whose model has two optional effects.
-const std::string kRivals = R"([experiment]
+const std::string kKeptCandidates = R"([experiment]
 name = "rivals"
 passes = 2
 [target]
@@ -176,7 +176,7 @@ parameters = { population = 4, keep = 2, generations = 2 }
 )";
 
 TEST(Rivals, EachRestartLooksForAnotherStructure) {
-  const auto bench = small_bench({}, kRivals);
+  const auto bench = small_bench({}, kKeptCandidates);
   const MemoryJournal journal = run(*bench);
   for (const PassRow& pass : journal.passes) {
     std::set<std::string> structures;
@@ -189,7 +189,7 @@ TEST(Rivals, EachRestartLooksForAnotherStructure) {
 }
 
 TEST(Rivals, GoOnFromEveryCheckpointWithTheSameRows) {
-  const auto bench = small_bench({}, kRivals);
+  const auto bench = small_bench({}, kKeptCandidates);
   const MemoryJournal whole = run(*bench);
   for (const std::vector<double>& checkpoint : whole.checkpoints) {
     EeaState state = state_at(*bench, whole, checkpoint);
@@ -206,7 +206,7 @@ TEST(Rivals, GoOnFromEveryCheckpointWithTheSameRows) {
 }
 
 TEST(Rivals, MoreRestartsThanStructuresEndThePhase) {
-  const MemoryJournal journal = run(*small_bench({"estimation.restarts=7"}, kRivals));
+  const MemoryJournal journal = run(*small_bench({"estimation.restarts=7"}, kKeptCandidates));
   for (const PassRow& pass : journal.passes) {
     EXPECT_EQ(pass.evaluations, 3U * (12U + 4U * 6U)) << "neither effect, one or the other";
     EXPECT_EQ(pass.invalid, 0U);

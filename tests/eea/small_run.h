@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 #include "config/experiment_reader.h"
 #include "plugins/built_catalog.h"
 #include "support/small_experiment.h"
@@ -45,22 +45,22 @@ inline const std::string kSmallExperiment =
     small_experiment("0.3", "population = 12, keep = 6, generations = 5", "population = 6, keep = 3, generations = 3");
 
 /// An experiment ready to run, with some keys put beside the text.
-inline std::unique_ptr<EeaBench> small_bench(const std::vector<std::string>& overrides = {},
-                                             const std::string& text = kSmallExperiment, bool measured = false) {
-  Rig rig;
-  rig.experiment =
+inline std::unique_ptr<OpenEeaRun> small_bench(const std::vector<std::string>& overrides = {},
+                                               const std::string& text = kSmallExperiment, bool measured = false) {
+  OpenExperiment opened;
+  opened.experiment =
       read_experiment_text(text, std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "experiments/small.toml", overrides);
-  rig.catalog = std::make_shared<const PluginCatalog>(plugin_search_path({}));
-  rig.definition = define_model(rig.experiment, *rig.catalog);
-  rig.model = compile(rig.definition.structure, rig.definition.engine);
+  opened.catalog = std::make_shared<const PluginCatalog>(plugin_search_path({}));
+  opened.definition = define_model(opened.experiment, *opened.catalog);
+  opened.model = compile(opened.definition.structure, opened.definition.engine);
   if (measured)
-    rig.trials = RecordingReader(rig.experiment.target.recording, rig.definition.structure.robot, {}).read();
-  return std::make_unique<EeaBench>(std::move(rig));
+    opened.trials = RecordingReader(opened.experiment.target.recording, opened.definition.structure.robot, {}).read();
+  return std::make_unique<OpenEeaRun>(std::move(opened));
 }
 
 /// A run of it whose truth nobody asks for.
-inline EeaRun run_of(const EeaBench& bench, EeaJournal& journal) {
-  return {.definition = bench.definition(),
+inline EeaRun run_of(const OpenEeaRun& opened, EeaJournal& journal) {
+  return {.definition = opened.definition(),
           .journal = journal,
           .seed = 1,
           .replicate = 1,
@@ -71,33 +71,34 @@ inline EeaRun run_of(const EeaBench& bench, EeaJournal& journal) {
 }
 
 /// Runs it from `state` to its end.
-inline void run(const EeaBench& bench, EeaJournal& journal, EeaState& state, int threads = 1, std::uint64_t seed = 1) {
-  const ReplicateTarget target(bench, seed, 1);
-  eea_loop({.definition = bench.definition(),
+inline void run(const OpenEeaRun& opened, EeaJournal& journal, EeaState& state, int threads = 1,
+                std::uint64_t seed = 1) {
+  const ReplicateTarget target(opened, seed, 1);
+  eea_loop({.definition = opened.definition(),
             .journal = journal,
             .seed = seed,
             .replicate = 1,
             .threads = threads,
-            .truth = bench.truth(1),
-            .target = bench.target() ? &bench.target()->structure.robot : nullptr,
+            .truth = opened.truth(1),
+            .target = opened.target() ? &opened.target()->structure.robot : nullptr,
             .progress = {}},
            target.target(), state);
 }
 
-inline MemoryJournal run(const EeaBench& bench, int threads = 1, std::uint64_t seed = 1) {
+inline MemoryJournal run(const OpenEeaRun& opened, int threads = 1, std::uint64_t seed = 1) {
   MemoryJournal journal;
-  EeaState state = beginning(bench);
-  run(bench, journal, state, threads, seed);
+  EeaState state = beginning(opened);
+  run(opened, journal, state, threads, seed);
   return journal;
 }
 
 /// What a run that ended at one of its checkpoints goes on from: with the trials and models that it had stored by then.
-inline EeaState state_at(const EeaBench& bench, const MemoryJournal& whole, const std::vector<double>& checkpoint) {
+inline EeaState state_at(const OpenEeaRun& opened, const MemoryJournal& whole, const std::vector<double>& checkpoint) {
   EeaState state = load_state(checkpoint);
   for (std::size_t i = 0; i < state.trials.size(); ++i) {
     const std::uint64_t test = *whole.trial_rows[i].test;
     state.trials[i].test = test;
-    state.trials[i].drive = bench.definition().decode_test(whole.tests[test].genome);
+    state.trials[i].drive = opened.definition().decode_test(whole.tests[test].genome);
     state.trials[i].trial = whole.trials[i];
   }
   if (state.phase == Phase::estimation && !state.search.empty())

@@ -1,4 +1,4 @@
-#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/scoring/candidate_simulator.h"
 #include "evaluation/robots/robot_key.h"
 #include "support/robots.h"
 
@@ -116,8 +116,8 @@ class CandidateDeskTest : public testing::Test {
     return {{}, robot};
   }
   /// The readings of a tenth of a second.
-  static TimeSeries::Samples readings(CandidateDesk& desk, const ModelProposal& candidate) {
-    desk.take(candidate);
+  static TimeSeries::Samples readings(CandidateSimulator& simulator, const ModelProposal& candidate) {
+    simulator.take(candidate);
     CommandSeries push;
     push.series.channels = {{"motor", "N*m"}};
     push.series.times = Eigen::VectorXd::Zero(1);
@@ -127,7 +127,7 @@ class CandidateDeskTest : public testing::Test {
     options.end_time = times.back();
     options.output_times = times;
     SimulationResult result;
-    desk.simulate({push, 0.1, {}}, options, result);
+    simulator.simulate({push, 0.1, {}}, options, result);
     EXPECT_EQ(result.ending, Ending::completed) << result.reason;
     return result.readings.samples;
   }
@@ -137,7 +137,7 @@ class CandidateDeskTest : public testing::Test {
 };
 
 TEST_F(CandidateDeskTest, WhatCameBeforeChangesNothing) {
-  CandidateDesk fresh(*shared_, &definition_), used(*shared_, &definition_);
+  CandidateSimulator fresh(*shared_, &definition_), used(*shared_, &definition_);
   const ModelProposal light = proposal(0.5), heavy = proposal(8.0), plain;
   const TimeSeries::Samples expected = readings(fresh, heavy);
   readings(used, light);
@@ -148,7 +148,7 @@ TEST_F(CandidateDeskTest, WhatCameBeforeChangesNothing) {
 }
 
 TEST_F(CandidateDeskTest, ARobotThatCannotBeLeavesTheNextOneAlone) {
-  CandidateDesk fresh(*shared_, &definition_), used(*shared_, &definition_);
+  CandidateSimulator fresh(*shared_, &definition_), used(*shared_, &definition_);
   const ModelProposal broken = proposal(-1.0), good = proposal(2.0);
   EXPECT_THROW(used.take(broken), Error);
   EXPECT_THROW(used.take(broken), Error) << "and is refused again";
@@ -158,21 +158,21 @@ TEST_F(CandidateDeskTest, ARobotThatCannotBeLeavesTheNextOneAlone) {
 }
 
 TEST_F(CandidateDeskTest, WithoutADefinitionThereAreNoOwnRobots) {
-  CandidateDesk desk(*shared_, nullptr);
+  CandidateSimulator simulator(*shared_, nullptr);
   const ModelProposal own = proposal(2.0), plain;
-  EXPECT_THAT([&] { desk.take(own); }, ThrowsMessage<Error>(HasSubstr("robot of its own")));
-  readings(desk, plain);
+  EXPECT_THAT([&] { simulator.take(own); }, ThrowsMessage<Error>(HasSubstr("robot of its own")));
+  readings(simulator, plain);
 }
 
 /// A desk that keeps a robot holds it, too.
 TEST_F(CandidateDeskTest, KeepsAsManyRobotsAsTakeTurns) {
   for (const std::size_t kept : {1U, 3U}) {
-    CandidateDesk desk(*shared_, &definition_, kept);
+    CandidateSimulator simulator(*shared_, &definition_, kept);
     std::vector<std::shared_ptr<const RobotSpec>> robots;
     for (const double inertia : {1.0, 2.0, 3.0, 4.0}) {
       const ModelProposal candidate = proposal(inertia);
       robots.push_back(candidate.robot);
-      readings(desk, candidate);
+      readings(simulator, candidate);
     }
     std::size_t held = 0;
     for (const auto& robot : robots) held += robot.use_count() > 1 ? 1 : 0;

@@ -1,6 +1,6 @@
 #include "evaluation/model/proposed_model.h"
 
-#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/scoring/candidate_simulator.h"
 #include "evaluation/scoring/model_evaluator.h"
 #include "plugins/built_catalog.h"
 #include "support/robots.h"
@@ -73,10 +73,10 @@ class ProposedModel : public testing::Test {
     options.output_times = kTimes;
     return options;
   }
-  static TimeSeries::Samples readings(CandidateDesk& desk, const ModelProposal& candidate) {
+  static TimeSeries::Samples readings(CandidateSimulator& simulator, const ModelProposal& candidate) {
     SimulationResult result;
-    desk.take(candidate);
-    desk.simulate(push(), options(), result);
+    simulator.take(candidate);
+    simulator.simulate(push(), options(), result);
     EXPECT_EQ(result.ending, Ending::completed) << result.reason;
     return result.readings.samples;
   }
@@ -102,7 +102,7 @@ TEST_F(ProposedModel, EffectsStandInCanonicalOrderWithTheirFreeParameters) {
 
 /// Bit for bit.
 TEST_F(ProposedModel, WithoutAnEffectItIsTheModelThatNeverHadIt) {
-  CandidateDesk desk(*shared_, &definition_);
+  CandidateSimulator simulator(*shared_, &definition_);
   for (const char* id : {"a", "b", "c", "d", "e", "f"}) {
     Experiment fewer = experiment_;
     std::erase_if(fewer.model.effects, [&](const EffectEntry& entry) { return entry.id == id; });
@@ -110,51 +110,51 @@ TEST_F(ProposedModel, WithoutAnEffectItIsTheModelThatNeverHadIt) {
     SimulationResult expected;
     const auto model = compile(never.structure, never.engine);
     model->simulate(never.start_values(), push(), options(), *model->make_workspace(), expected);
-    EXPECT_EQ(readings(desk, without(id)), expected.readings.samples) << id;
-    EXPECT_NE(readings(desk, proposal()), expected.readings.samples) << id;
+    EXPECT_EQ(readings(simulator, without(id)), expected.readings.samples) << id;
+    EXPECT_NE(readings(simulator, proposal()), expected.readings.samples) << id;
   }
 }
 
 TEST_F(ProposedModel, ItsStructureAndTheValuesOfThatAreWhatADeskSimulates) {
-  CandidateDesk desk(*shared_, &definition_);
+  CandidateSimulator simulator(*shared_, &definition_);
   const ModelProposal candidate = proposal(0b101010U);
   const ModelStructure structure = structure_of(candidate, definition_);
   EXPECT_EQ(structure.effects.size(), 3U);
   const auto compiled = compile(structure, definition_.engine);
   SimulationResult result;
   compiled->simulate(structure_values(candidate, definition_), push(), options(), *compiled->make_workspace(), result);
-  EXPECT_EQ(result.readings.samples, readings(desk, candidate));
+  EXPECT_EQ(result.readings.samples, readings(simulator, candidate));
   EXPECT_EQ(structure_values(proposal(), definition_), definition_.start_values());
 }
 
 /// More sets than stay compiled, each twice, in another order than a desk that has seen nothing else.
 TEST_F(ProposedModel, WhatCameBeforeChangesNothing) {
-  CandidateDesk used(*shared_, &definition_);
+  CandidateSimulator used(*shared_, &definition_);
   for (int time = 0; time < 2; ++time)
     for (unsigned effects = 0; effects < 64; ++effects) {
-      CandidateDesk fresh(*shared_, &definition_);
+      CandidateSimulator fresh(*shared_, &definition_);
       EXPECT_EQ(readings(used, proposal(effects)), readings(fresh, proposal(effects))) << effects;
     }
 }
 
 TEST_F(ProposedModel, ARobotOfItsOwnMayDoWithoutEffectsToo) {
-  CandidateDesk desk(*shared_, &definition_, 2);
+  CandidateSimulator simulator(*shared_, &definition_, 2);
   ModelProposal own = without("b"), shared = without("b");
   auto heavier = std::make_shared<RobotSpec>(definition_.structure.robot);
   heavier->bodies[0].inertia.yy = kInertia;
   own.robot = heavier;
-  const TimeSeries::Samples first = readings(desk, own);
-  EXPECT_NE(first, readings(desk, shared));
+  const TimeSeries::Samples first = readings(simulator, own);
+  EXPECT_NE(first, readings(simulator, shared));
   own.without.clear();
-  EXPECT_NE(first, readings(desk, own)) << "the same robot with all effects";
+  EXPECT_NE(first, readings(simulator, own)) << "the same robot with all effects";
   own.without = shared.without;
-  EXPECT_EQ(first, readings(desk, own));
+  EXPECT_EQ(first, readings(simulator, own));
 }
 
 TEST_F(ProposedModel, WithoutADefinitionAllEffectsStay) {
-  CandidateDesk desk(*shared_, nullptr);
-  EXPECT_THAT([&] { desk.take(without("a")); }, ThrowsMessage<Error>(HasSubstr("without some effects")));
-  readings(desk, proposal());
+  CandidateSimulator simulator(*shared_, nullptr);
+  EXPECT_THAT([&] { simulator.take(without("a")); }, ThrowsMessage<Error>(HasSubstr("without some effects")));
+  readings(simulator, proposal());
 }
 
 class ProposedModelEvaluation : public ProposedModel {

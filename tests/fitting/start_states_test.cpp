@@ -1,7 +1,7 @@
 #include "fitting/starts/start_states.h"
 
 #include "fitting/analytic_models.h"
-#include "fitting/starts/head_fit.h"
+#include "fitting/starts/start_fit.h"
 #include "fitting/numerics/local_polynomial.h"
 #include "fitting/starts/segments.h"
 

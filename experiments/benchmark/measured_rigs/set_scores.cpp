@@ -1,6 +1,6 @@
 #include "measured_rigs/set_scores.h"
 
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "prediction/settled_errors.h"
 #include "search/effect_look.h"
 
@@ -38,8 +38,8 @@ class NamedSets {
     while (set && !effects.empty()) set = grown(*set, effects);
     const PredictionLadder ladder = data_.held_out();
     if (!set || ladder.stretches.empty()) return kNoScore;
-    const ModelBench bench = data_.bench_for(set->model);
-    LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data_.starts(),
+    const ModelContext context = data_.bench_for(set->model);
+    LadderPredictions predictions(ladder, context.predictor(), context.space(), data_.starts(),
                                   changes_readings(set->model.definition));
     const std::optional<Eigen::VectorXd> left = settled_errors(predictions, set->fit.point.values);
     if (!left) return kNoScore;
@@ -80,8 +80,8 @@ std::vector<double> held_out_costs(const std::filesystem::path& experiment,
                                    const std::vector<std::vector<std::string>>& sets) {
   CommonOptions options;
   options.experiment = experiment.string();
-  const Rig rig = open_rig(options);
-  EffectSearchTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  const OpenExperiment opened = open_experiment(options);
+  EffectSearchTask task{opened.experiment, *opened.catalog, opened.trials, opened.definition.start_values()};
   task.among = effect_names(sets);
   task.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   NamedSets fitted(task);

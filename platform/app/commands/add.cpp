@@ -9,7 +9,7 @@
 #include "app/workspace/diagnosed_start.h"
 #include "app/workspace/integration.h"
 #include "app/workspace/search_range.h"
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "candidates/wrong_value.h"
 #include "config/edits/effects_editor.h"
 #include "config/edits/free_editor.h"
@@ -90,9 +90,9 @@ std::string typed(const std::string& key, const AddOptions& options) {
 
 /// The experiment with the effect in it. Problems of the effect alone name the command's arguments, because its entry
 /// is in no file yet.
-Rig open_extended(const AddOptions& options, const std::string& edited, const Rig& base) {
+OpenExperiment open_extended(const AddOptions& options, const std::string& edited, const OpenExperiment& base) {
   try {
-    return open_rig(options, edited, base.catalog);
+    return open_experiment(options, edited, base.catalog);
   } catch (const BadInput& bad) {
     const std::string entry = fmt::format("model.effects[{}]", base.experiment.model.effects.size());
     ProblemList problems;
@@ -131,7 +131,7 @@ void check_new(const AddOptions& options, const std::string& id, const EffectLis
   }
 }
 
-EffectEntry entry_of(const AddOptions& options, const Rig& before) {
+EffectEntry entry_of(const AddOptions& options, const OpenExperiment& before) {
   std::map<std::string, double> starts;
   for (const std::string& start : options.start) starts.insert(parse_start(start));
   if (options.effect == kWrongValue)
@@ -147,8 +147,8 @@ std::string with_addition(const std::string& text, const EffectEntry& entry) {
   return is_wrong_value(entry) ? insert_free_value(text, free_range(entry)) : insert_effect(text, entry);
 }
 
-bool evolves_models(const Rig& rig) {
-  return rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests();
+bool evolves_models(const OpenExperiment& opened) {
+  return opened.catalog->make<TargetSystem>(opened.experiment.target.kind)->takes_tests();
 }
 
 struct Addition {
@@ -161,11 +161,11 @@ struct Addition {
 struct Extension {
   std::string text, edited;
   std::vector<Addition> added;
-  Rig base, extended;
+  OpenExperiment base, extended;
 };
 
 /// Values of an effect that a diagnosis held, since they act only together with one that it found, stay where they are.
-void hold_others(const std::map<std::string, double>& found, const Rig& extended, EffectEntry& entry) {
+void hold_others(const std::map<std::string, double>& found, const OpenExperiment& extended, EffectEntry& entry) {
   const std::size_t name_begins = effect_address(entry.id, "").size();
   for (const FreeValue& free : extended.definition.free) {
     if (!is_of_effect(free.address, entry.id)) continue;
@@ -176,14 +176,15 @@ void hold_others(const std::map<std::string, double>& found, const Rig& extended
 
 /// The rig with one more effect, which is put into `edited`, the text that `before` was read from. `base`: without any
 /// of those that are added.
-Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edited, std::vector<Addition>& added) {
+OpenExperiment extend(AddOptions one, const OpenExperiment& base, const OpenExperiment& before, std::string& edited,
+                      std::vector<Addition>& added) {
   const bool says_where = !one.where.empty();
   if (!says_where && one.effect != kWrongValue) one.where = default_place(before, one.effect);
   check_id(one.id, before.experiment.model.effects);
   EffectEntry entry = entry_of(one, before);
   const std::string text = edited;
   edited = with_addition(text, entry);
-  Rig extended = open_extended(one, edited, before);
+  OpenExperiment extended = open_extended(one, edited, before);
   if (!is_wrong_value(entry)) check_new(one, entry.id, extended.definition.effects);
   std::map<std::string, double> found = diagnosed_start(one, base, extended, entry);
   if (!found.empty()) hold_others(found, extended, entry);
@@ -200,7 +201,7 @@ Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edit
 }
 
 /// The effect that was typed, or those of the diagnosed answer: a command each.
-std::vector<AddOptions> asked_for(const AddOptions& options, const Rig& base) {
+std::vector<AddOptions> asked_for(const AddOptions& options, const OpenExperiment& base) {
   if (!options.answer) return {options};
   std::vector<AddOptions> all;
   for (const auto& [effect, place] : diagnosed_answer(options, base)) {
@@ -217,11 +218,11 @@ std::vector<AddOptions> asked_for(const AddOptions& options, const Rig& base) {
 
 Extension extension_of(const AddOptions& options) {
   const std::string text = read_text(options.experiment);
-  Rig base = open_rig(options);
+  OpenExperiment base = open_experiment(options);
   settle_substeps(base, base.fit_trials(), options.threads);
   std::string edited = text;
   std::vector<Addition> added;
-  std::optional<Rig> extended;
+  std::optional<OpenExperiment> extended;
   for (const AddOptions& one : asked_for(options, base))
     extended = extend(one, base, extended ? *extended : base, edited, added);
   return {text, std::move(edited), std::move(added), std::move(base), std::move(*extended)};

@@ -4,7 +4,7 @@
 #include "app/terminal/output.h"
 #include "app/workspace/check_json.h"
 #include "app/workspace/check_summary.h"
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "app/workspace/scale_note.h"
 #include "config/file_references.h"
 #include "evaluation/prediction/trial_predictor.h"
@@ -29,14 +29,14 @@ struct CheckOptions : CommonOptions {
 std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 /// What a fit, a comparison or a diagnosis would stop at before it simulates anything.
-std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
+std::vector<Problem> obstacles(const CheckOptions& options, const OpenExperiment& opened) {
   const SourceLocation file{options.experiment.string(), 0, 0};
   std::vector<Problem> problems;
-  if (rig.count(false) == 0)
+  if (opened.count(false) == 0)
     problems.push_back({file, "every trial is held out; name at least one fit file under target.files"});
   try {
-    const TrialPredictor every_trial_suits_the_model(*rig.model, rig.trials, 1);
-    disturbed_joints(rig.definition.structure.robot, rig.experiment.noise);
+    const TrialPredictor every_trial_suits_the_model(*opened.model, opened.trials, 1);
+    disturbed_joints(opened.definition.structure.robot, opened.experiment.noise);
   } catch (const Error& error) {
     problems.push_back({file, error.what()});
   }
@@ -44,11 +44,11 @@ std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
 }
 
 /// What plugins of the model's effects do and should not.
-void note_remarks(Rig& rig) {
-  const std::vector<EffectEntry>& effects = rig.experiment.model.effects;
+void note_remarks(OpenExperiment& opened) {
+  const std::vector<EffectEntry>& effects = opened.experiment.model.effects;
   for (std::size_t i = 0; i < effects.size(); ++i)
-    if (const std::string remark = rig.catalog->remark_on_effect(effects[i].effect); !remark.empty())
-      rig.notes.push_back({rig.experiment.where(fmt::format("model.effects[{}].effect", i)), remark});
+    if (const std::string remark = opened.catalog->remark_on_effect(effects[i].effect); !remark.empty())
+      opened.notes.push_back({opened.experiment.where(fmt::format("model.effects[{}].effect", i)), remark});
 }
 
 void check(const CheckOptions& options) {
@@ -57,17 +57,17 @@ void check(const CheckOptions& options) {
     return;
   }
   check_output(options.json);
-  Rig rig = open_rig(options);
-  const bool recorded = rig.experiment.target.kind == "recorded";
+  OpenExperiment opened = open_experiment(options);
+  const bool recorded = opened.experiment.target.kind == "recorded";
   if (recorded)
-    if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
+    if (std::vector<Problem> found = obstacles(options, opened); !found.empty()) throw BadInput(std::move(found));
   if (recorded)
-    if (std::optional<ReadingNote> scale = scale_note(rig)) rig.notes.push_back(std::move(*scale));
-  if (!rig.left_out.empty()) rig.notes.push_back({rig.experiment.where("target.version"), rig.left_out});
-  note_remarks(rig);
-  const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
-  const std::string json = options.json ? check_json(rig, database_of(options, rig.experiment).string()) : "";
-  const std::string of_run = recorded ? "" : run_summary(EeaBench(std::move(rig)));
+    if (std::optional<ReadingNote> scale = scale_note(opened)) opened.notes.push_back(std::move(*scale));
+  if (!opened.left_out.empty()) opened.notes.push_back({opened.experiment.where("target.version"), opened.left_out});
+  note_remarks(opened);
+  const std::string summary = check_summary(opened.experiment, opened.definition, opened.trials, opened.notes);
+  const std::string json = options.json ? check_json(opened, database_of(options, opened.experiment).string()) : "";
+  const std::string of_run = recorded ? "" : run_summary(OpenEeaRun(std::move(opened)));
   if (!takes_standard_output(options.json)) fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);
   if (options.json) write_output(*options.json, json);
 }

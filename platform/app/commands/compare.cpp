@@ -2,7 +2,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/time_limit.h"
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
 #include "report/figures/comparison_pictures.h"
@@ -30,26 +30,29 @@ struct CompareOptions : CommonOptions {
 void run_compare(const CompareOptions& options) {
   check_output(options.json, options.csv);
   check_output_folder(options.out);
-  Workbench bench(options);
-  const Workbench::Fitted fitted =
-      options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
-  const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true, options.cross_check);
-  const WhereItFails where = bench.where_it_fails(fitted.result, compared.result);
+  ExperimentWorkflow workflow(options);
+  const ExperimentWorkflow::Fitted fitted =
+      options.as_is ? ExperimentWorkflow::Fitted{as_written(workflow.opened().definition), false}
+                    : workflow.fit_model();
+  const ExperimentWorkflow::Compared compared =
+      workflow.compare_model(fitted.result, !options.as_is, true, options.cross_check);
+  const WhereItFails where = workflow.where_it_fails(fitted.result, compared.result);
   lift_time_limit();  // what follows is quick
-  bench.ledger().keep_where_it_fails(compared.id, where_document(where, compared.result));
-  const ComparisonHeading heading{bench.rig().experiment.name,
-                                  compared.look,
-                                  !options.as_is,
-                                  fitted.known,
-                                  fitted.result.seconds,
-                                  known_setups(bench.rig().definition, bench.rig().experiment.target.recording)};
+  workflow.recorder().keep_where_it_fails(compared.id, where_document(where, compared.result));
+  const ComparisonHeading heading{
+      workflow.opened().experiment.name,
+      compared.look,
+      !options.as_is,
+      fitted.known,
+      fitted.result.seconds,
+      known_setups(workflow.opened().definition, workflow.opened().experiment.target.recording)};
 
   const std::string advice = advice_text(compared.result, command_to_type("diagnose", options));
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
     if (compared.result.cross_check) fmt::print("{}", cross_check_text(*compared.result.cross_check));
     fmt::print("{}", fit_text(fitted.result));
-    fmt::print("{}", data_checks_text(bench.doubts(fitted.result)));
+    fmt::print("{}", data_checks_text(workflow.doubts(fitted.result)));
     fmt::print("{}", where_text(where));
     fmt::print("{}", advice);
   }
@@ -58,14 +61,14 @@ void run_compare(const CompareOptions& options) {
   if (options.csv) write_output(*options.csv, comparison_csv(compared.result));
   if (!options.out.empty()) {
     make_output_folder(options.out);
-    const std::string title = fmt::format("{} · revision {}", heading.experiment, bench.revision().number);
+    const std::string title = fmt::format("{} · revision {}", heading.experiment, workflow.revision().number);
     FileNames names;
     draw_comparison(compared.result, title, options.out, names);
     draw_where(where, title, options.out, names);
     write_predictions(compared.result, options.out, names);
     if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", plain_text(options.out.string()));
   }
-  bench.ledger().done();
+  workflow.recorder().done();
 }
 
 }  // namespace

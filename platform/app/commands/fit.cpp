@@ -3,7 +3,7 @@
 #include "app/terminal/output.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/time_limit.h"
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "foundation/text/counted.h"
 #include "foundation/processes/interrupt.h"
 #include "report/json/comparison_json.h"
@@ -17,28 +17,28 @@
 namespace lacuna {
 namespace {
 
-std::string time_of(const Workbench::Fitted& fitted) {
+std::string time_of(const ExperimentWorkflow::Fitted& fitted) {
   if (fitted.known) return "known";
   return format_duration(fitted.result.seconds) + (fitted.result.stopped ? ", stopped before it converged" : "");
 }
 
 void run_fit(const CommonOptions& options) {
   check_output(options.json);
-  Workbench bench(options);
-  const Workbench::Fitted fitted = bench.fit_model(Workbench::AtTimeLimit::best_so_far);
+  ExperimentWorkflow workflow(options);
+  const ExperimentWorkflow::Fitted fitted = workflow.fit_model(ExperimentWorkflow::AtTimeLimit::best_so_far);
   lift_time_limit();  // what follows is quick
   if (!takes_standard_output(options.json)) {
-    fmt::print("{} · revision {} · {} · {}\n", bench.rig().experiment.name, bench.revision().number,
-               counted(bench.rig().count(false), "fit trial"), time_of(fitted));
+    fmt::print("{} · revision {} · {} · {}\n", workflow.opened().experiment.name, workflow.revision().number,
+               counted(workflow.opened().count(false), "fit trial"), time_of(fitted));
     fmt::print("{}", fit_text(fitted.result));
-    fmt::print("{}", data_checks_text(bench.doubts(fitted.result)));
+    fmt::print("{}", data_checks_text(workflow.doubts(fitted.result)));
     if (!fitted.result.stopped) fmt::print("→ {}\n", command_to_type("compare", options));
   }
-  if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
+  if (options.json) write_output(*options.json, fit_json(workflow.opened().experiment.name, fitted.result));
   if (fitted.result.stopped)
     throw Interrupted(stopped_by_time_limit() +
                       "; the best values so far are stored. Run the command again with more time");
-  bench.ledger().done();
+  workflow.recorder().done();
 }
 
 }  // namespace

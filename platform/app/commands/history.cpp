@@ -3,7 +3,7 @@
 #include "app/terminal/output.h"
 #include "app/workspace/integration.h"
 #include "app/workspace/records.h"
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/shell_word.h"
 #include "report/figures/history_picture.h"
@@ -46,16 +46,16 @@ std::string missing_of(const ResultStore& store, const std::optional<StoredRevis
 }
 
 /// Reads, and changes nothing: no fit, no look at held-out files, no revision.
-StoredHistory stored_history(const std::filesystem::path& file, const Rig& rig) {
+StoredHistory stored_history(const std::filesystem::path& file, const OpenExperiment& opened) {
   if (!std::filesystem::exists(file)) return {{}, 0, "nothing is stored yet"};
   const LogLeft log(file);
   Database database = Database::open_read_only(file);
   const ResultStore store(database);
-  const std::optional<ExperimentId> experiment = store.find_experiment(rig.experiment.name);
-  if (!experiment) return {{}, 0, fmt::format("nothing of {} is stored yet", rig.experiment.name)};
-  const std::optional<StoredRevision> now = store.find_revision(*experiment, revision_record(rig));
+  const std::optional<ExperimentId> experiment = store.find_experiment(opened.experiment.name);
+  if (!experiment) return {{}, 0, fmt::format("nothing of {} is stored yet", opened.experiment.name)};
+  const std::optional<StoredRevision> now = store.find_revision(*experiment, revision_record(opened));
   StoredHistory history{store.history(*experiment), store.holdout_looks(*experiment),
-                        missing_of(store, now, rig.count(true) > 0)};
+                        missing_of(store, now, opened.count(true) > 0)};
   for (HistoryRow& row : history.rows) row.current = now && row.number == now->number;
   return history;
 }
@@ -63,14 +63,14 @@ StoredHistory stored_history(const std::filesystem::path& file, const Rig& rig) 
 void run_history(const HistoryOptions& options) {
   check_output(options.json, options.csv);
   check_output_folder(options.out);
-  Rig rig = open_rig(options);
-  settle_substeps(rig, rig.fit_trials(), options.threads);
-  const std::filesystem::path file = database_of(options, rig.experiment);
-  const StoredHistory history = stored_history(file, rig);
-  const std::vector<KnownSetup> setups = known_setups(rig.definition, rig.experiment.target.recording);
+  OpenExperiment opened = open_experiment(options);
+  settle_substeps(opened, opened.fit_trials(), options.threads);
+  const std::filesystem::path file = database_of(options, opened.experiment);
+  const StoredHistory history = stored_history(file, opened);
+  const std::vector<KnownSetup> setups = known_setups(opened.definition, opened.experiment.target.recording);
   const std::string next = history.missing.empty() ? "" : command_to_type("compare", options);
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
-    fmt::print("{} · {}\n", plain_text(rig.experiment.name), plain_text(file.string()));
+    fmt::print("{} · {}\n", plain_text(opened.experiment.name), plain_text(file.string()));
     if (!history.rows.empty()) fmt::print("{}", history_text(history.rows, history.looks, setups));
     if (!next.empty()) fmt::print("{}. Next: {}\n", history.missing, next);
   }
@@ -79,7 +79,7 @@ void run_history(const HistoryOptions& options) {
   if (options.csv) write_output(*options.csv, history_csv(history.rows));
   if (!options.out.empty() && !history.rows.empty()) {
     make_output_folder(options.out);
-    draw_history(history.rows, rig.experiment.name + " · error by revision", options.out);
+    draw_history(history.rows, opened.experiment.name + " · error by revision", options.out);
   }
 }
 

@@ -1,5 +1,5 @@
 #include "app/commands/commands.h"
-#include "app/runs/stored_bench.h"
+#include "app/runs/open_stored_run.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"

@@ -1,5 +1,5 @@
 #include "app/commands/commands.h"
-#include "app/runs/stored_bench.h"
+#include "app/runs/open_stored_run.h"
 #include "app/runs/stored_ensembles.h"
 #include "app/terminal/output.h"
 #include "app/workspace/one_model.h"
@@ -87,13 +87,13 @@ std::optional<std::uint64_t> test_number(const std::string& test) {
 
 /// What has to be known of a run to predict a test.
 struct AskedRun {
-  const StoredBench& stored;
+  const OpenStoredRun& stored;
   const EeaStore& store;
   const std::vector<RunTrial>& trials;
   const StoredEnsembles& ensembles;
 
-  const EeaDefinition& definition() const { return stored.bench->definition(); }
-  const Rig& rig() const { return stored.bench->rig(); }
+  const EeaDefinition& definition() const { return stored.opened->definition(); }
+  const OpenExperiment& opened() const { return stored.opened->opened(); }
 };
 
 /// A test that was carried out is predicted as it was asked for, from its start on and when it was measured.
@@ -105,7 +105,7 @@ WantedTest carried_out_test(const AskedRun& run, const RunTrial& trial, const As
                     MeasuredTest{trial.row.number, run.ensembles.fitted(trial), trial.trial.measured}};
   if (const std::optional<double> duration = asked_duration(asked)) {
     wanted.test.duration = *duration;
-    wanted.times = sample_times(run.rig().experiment.engine, *duration);
+    wanted.times = sample_times(run.opened().experiment.engine, *duration);
   }
   return wanted;
 }
@@ -120,29 +120,29 @@ WantedTest numbered_test(const AskedRun& run, std::uint64_t number, const AskedT
                                   asked.test, run.stored.listing.run.value));
   WantedTest wanted{run.definition().decode_test(row->genome), {}};
   wanted.test.duration = asked_duration(asked).value_or(wanted.test.duration);
-  wanted.times = sample_times(run.rig().experiment.engine, wanted.test.duration);
+  wanted.times = sample_times(run.opened().experiment.engine, wanted.test.duration);
   return wanted;
 }
 
 WantedTest wanted_test(const AskedRun& run, const AskedTest& asked) {
   if (const std::optional<double> duration = asked_duration(asked))
-    check_step_count(run.rig().experiment, *duration, "of the test");
+    check_step_count(run.opened().experiment, *duration, "of the test");
   if (const std::optional<std::uint64_t> number = test_number(asked.test)) {
     if (asked.setup)
       throw_problem({}, "--setup is for new tests; test " + std::to_string(*number) +
                             " of the run has a setup already. Leave --setup out");
     return numbered_test(run, *number, asked);
   }
-  const Experiment& experiment = run.rig().experiment;
-  const KnownSetup setup = asked_setup(asked, experiment, run.rig().definition);
-  const ModelDefinition* target = run.stored.bench->target();
-  const RobotSpec& robot = (target ? *target : run.rig().definition).structure.robot;
-  const TestSpace space = test_space(robot, run.rig().experiment.engine, 0.0);
-  WantedTest wanted{read_test(asked, space, *run.rig().catalog), {}};
+  const Experiment& experiment = run.opened().experiment;
+  const KnownSetup setup = asked_setup(asked, experiment, run.opened().definition);
+  const ModelDefinition* target = run.stored.opened->target();
+  const RobotSpec& robot = (target ? *target : run.opened().definition).structure.robot;
+  const TestSpace space = test_space(robot, run.opened().experiment.engine, 0.0);
+  WantedTest wanted{read_test(asked, space, *run.opened().catalog), {}};
   wanted.test.setup = setup.name();
-  if (any_is_set(known_setups(run.rig().definition, experiment.target.recording))) wanted.setup = setup;
-  check_step_count(run.rig().experiment, wanted.test.duration, "of the test");
-  wanted.times = sample_times(run.rig().experiment.engine, wanted.test.duration);
+  if (any_is_set(known_setups(run.opened().definition, experiment.target.recording))) wanted.setup = setup;
+  check_step_count(run.opened().experiment, wanted.test.duration, "of the test");
+  wanted.times = sample_times(run.opened().experiment.engine, wanted.test.duration);
   return wanted;
 }
 
@@ -183,7 +183,7 @@ PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
   BandSupport support = support_of(run.ensembles.held_out(threads), options.seed.value_or(1));
   widen(prediction.band, support);
   const std::optional<std::uint64_t> number = test_number(options.asked.test);
-  return {.experiment = run.rig().experiment.name,
+  return {.experiment = run.opened().experiment.name,
           .run = run.stored.listing.run.value,
           .pass = ensemble.pass,
           .test = number ? fmt::format("test {}", *number) : options.asked.test,
@@ -215,13 +215,13 @@ std::string setup_words(const PredictionReport& report) {
 /// What a reader may do next.
 std::string next_step(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
   const std::string experiment = shell_word(options.experiment.string());
-  if (!report.support.enough() && run.definition().passes <= kMostSupported && run.stored.bench->takes_tests())
+  if (!report.support.enough() && run.definition().passes <= kMostSupported && run.stored.opened->takes_tests())
     return fmt::format("→ to calibrate the band, run more passes: lacuna run {} --set experiment.passes={}{}\n",
                        experiment, kFewestHeldOut + 1, same_words(options, false));
   if (!test_number(options.asked.test))
     return fmt::format("→ lacuna trial {} --test {}{}{}\n", experiment, shell_word(options.asked.test),
                        same_words(options, true) + setup_words(report),
-                       run.stored.bench->takes_tests() ? "" : " --csv=commands.csv");
+                       run.stored.opened->takes_tests() ? "" : " --csv=commands.csv");
   if (!options.picture)
     return fmt::format("→ lacuna predict {} --test {}{} --out prediction.svg\n", experiment,
                        shell_word(options.asked.test), same_words(options, true) + setup_words(report));
@@ -262,9 +262,9 @@ void predict_without_run(const PredictOptions& options, const std::filesystem::p
     throw_problem({database.string()}, fmt::format("--test {}: a number names a test of a run, and the database has no "
                                                    "run of this experiment with a finished pass; make one: {}",
                                                    options.asked.test, command_to_type("run", options)));
-  Workbench bench(options);
-  const ModelPrediction prediction = predict_by_one_model(bench, options.asked);
-  bench.ledger().done();
+  ExperimentWorkflow workflow(options);
+  const ModelPrediction prediction = predict_by_one_model(workflow, options.asked);
+  workflow.recorder().done();
   if (!takes_standard_output(options.csv) && !takes_standard_output(options.json)) {
     fmt::print("{}", model_prediction_text(prediction));
     if (!options.quiet)
@@ -293,7 +293,7 @@ void predict(const PredictOptions& options) {
                   "trials instead: --fitted");
   Database database = Database::open_read_only(common.database);
   const EeaRunListing listing = run_to_ask(database, options, experiment.name);
-  const StoredBench stored = open_stored(database, listing, common);
+  const OpenStoredRun stored = open_stored(database, listing, common);
   if (!options.quiet)
     for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
   if (!options.quiet && experiment.text != stored.run.experiment.text)
@@ -301,8 +301,8 @@ void predict(const PredictOptions& options) {
                  options.experiment.c_str(), std::to_string(listing.run.value).c_str());
   std::mutex unused;
   const EeaStore store(database, unused, listing.run, {});
-  const std::vector<RunTrial> trials = run_trials(store, stored.bench->definition());
-  const StoredEnsembles ensembles(store, stored.bench->definition(), trials);
+  const std::vector<RunTrial> trials = run_trials(store, stored.opened->definition());
+  const StoredEnsembles ensembles(store, stored.opened->definition(), trials);
   if (ensembles.empty())
     throw_problem(
         {database.file().string()},

@@ -1,5 +1,5 @@
 #include "app/commands/commands.h"
-#include "app/runs/stored_bench.h"
+#include "app/runs/open_stored_run.h"
 #include "app/runs/stored_model.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
@@ -92,7 +92,7 @@ void replay(const ReplayOptions& options) {
   const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const EeaRunListing run = choose_run(database, options.run);
-  const StoredBench stored = open_stored(database, run, options.plugin_paths);
+  const OpenStoredRun stored = open_stored(database, run, options.plugin_paths);
   for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
   std::mutex unused;
   const EeaStore store(database, unused, run.run, {});
@@ -100,7 +100,7 @@ void replay(const ReplayOptions& options) {
   if (!options.model && (passes.empty() || !passes.back().best_model))
     throw Error("the run has no finished pass; name a model: --model N");
   const std::uint64_t number = options.model ? *options.model : *passes.back().best_model;
-  const StoredModel model = stored_model(store, stored.bench->definition(), number);
+  const StoredModel model = stored_model(store, stored.opened->definition(), number);
   const ModelScore score = score_again(model);
   if (!takes_standard_output(options.csv)) {
     fmt::print("run {} · model {} · pass {}, generation {}\n", run.run.value, number, model.row.pass,

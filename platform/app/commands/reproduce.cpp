@@ -1,6 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/runs/replicates.h"
-#include "app/runs/stored_bench.h"
+#include "app/runs/open_stored_run.h"
 #include "app/terminal/options.h"
 #include "app/terminal/scratch_folder.h"
 #include "command_line/whole_number.h"
@@ -49,8 +49,8 @@ std::string first_difference(const std::vector<PassRow>& stored, const std::vect
 }
 
 /// Shows the program that will be started; throws where the user has not said that it may be.
-void check_program(const ReproduceOptions& options, const StoredBench& stored) {
-  const std::string line = program_line(stored.bench->rig().experiment);
+void check_program(const ReproduceOptions& options, const OpenStoredRun& stored) {
+  const std::string line = program_line(stored.opened->opened().experiment);
   if (line.empty()) return;
   if (options.trust) return fmt::print(stderr, "starting the program that the database names: {}\n", line);
   throw_problem({options.database.string()},
@@ -75,7 +75,7 @@ struct Repetition {
   ReplicateEnd end;
 };
 
-Repetition repeat(const StoredBench& stored, const EeaRunListing& listing, Database& again,
+Repetition repeat(const OpenStoredRun& stored, const EeaRunListing& listing, Database& again,
                   const ReproduceOptions& options) {
   ResultStore store(again);
   const int threads = options.threads > 0 ? options.threads : default_threads();
@@ -83,7 +83,7 @@ Repetition repeat(const StoredBench& stored, const EeaRunListing& listing, Datab
   const ExperimentId experiment = store.record_experiment(stored.run.experiment);
   store.hand_over();
   const std::vector<PlannedReplicate> planned = {{run, listing.replicate, stored.run.seed}};
-  Replicates replicates(*stored.bench, again, experiment);
+  Replicates replicates(*stored.opened, again, experiment);
   replicates.enter(planned);
   RunDisplay display(planned, options.quiet, nullptr);
   return {run, std::move(replicates.run(planned, threads, display).front())};
@@ -100,8 +100,8 @@ void reproduce(const ReproduceOptions& options) {
   const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const EeaRunListing listing = run_to_repeat(database, options);
-  const StoredBench stored = open_stored(database, listing, options.plugin_paths,
-                                         options.trust ? StoredProgram::trusted : StoredProgram::refused);
+  const OpenStoredRun stored = open_stored(database, listing, options.plugin_paths,
+                                           options.trust ? StoredProgram::trusted : StoredProgram::refused);
   check_program(options, stored);
   for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
 

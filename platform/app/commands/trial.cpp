@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/test_reading.h"
 #include "app/workspace/trial_target.h"
@@ -54,48 +54,48 @@ struct TrialRun {
   ExperimentId experiment;
 };
 
-TrialRun begin_run(const Rig& rig, std::uint64_t seed, ResultStore& store) {
-  const Experiment& experiment = rig.experiment;
+TrialRun begin_run(const OpenExperiment& opened, std::uint64_t seed, ResultStore& store) {
+  const Experiment& experiment = opened.experiment;
   const RunId run = store.begin_run({command_line(), seed, 1}, provenance_of_this_program());
-  store.record_plugins(plugins_of_model(experiment, *rig.catalog));
+  store.record_plugins(plugins_of_model(experiment, *opened.catalog));
   store.record_robot_files(robot_files_of(experiment));
   return {run, store.record_experiment({experiment.name, experiment.file.string(), experiment.text,
                                         experiment.overrides, experiment.decided})};
 }
 
-std::int64_t next_number(const Database& database, const Rig& rig) {
-  return count_carried_out(database, rig.experiment.name) + 1;
+std::int64_t next_number(const Database& database, const OpenExperiment& opened) {
+  return count_carried_out(database, opened.experiment.name) + 1;
 }
 
 std::string name_of(std::int64_t number) { return fmt::format("trial-{}", number); }
 
 /// Its name is that of the next number, which another process may have taken while the target worked.
-void keep(const TrialOptions& options, const Rig& rig, const TrialTarget& target, std::uint64_t seed, Trial& trial,
-          Database& database) {
+void keep(const TrialOptions& options, const OpenExperiment& opened, const TrialTarget& target, std::uint64_t seed,
+          Trial& trial, Database& database) {
   ResultStore store(database);
   Transaction transaction(database);
-  const TrialRun entered = begin_run(rig, seed, store);
-  trial.name = name_of(next_number(database, rig));
+  const TrialRun entered = begin_run(opened, seed, store);
+  trial.name = name_of(next_number(database, opened));
   record_carried_out(database, entered.run, entered.experiment, trial, {options.asked.test, target.digest()});
   store.end_run(RunEnding::done);
   transaction.commit();
 }
 
-void keep_failure(const TrialOptions& options, const Rig& rig, std::uint64_t seed, const std::string& name,
-                  const std::string& reason, Database& database) {
+void keep_failure(const TrialOptions& options, const OpenExperiment& opened, std::uint64_t seed,
+                  const std::string& name, const std::string& reason, Database& database) {
   ResultStore store(database);
   Transaction transaction(database);
-  const TrialRun entered = begin_run(rig, seed, store);
+  const TrialRun entered = begin_run(opened, seed, store);
   record_failed_trial(database, entered.run, entered.experiment, {name, options.asked.test, reason});
   store.end_run(RunEnding::failed);
   transaction.commit();
 }
 
 /// The database is not held while the target works, which may take long.
-Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target, const Test& test) {
-  Database database = Database::open(database_of(options, rig.experiment));
-  const std::uint64_t seed = options.seed.value_or(rig.experiment.seed);
-  const std::int64_t number = next_number(database, rig);
+Trial carry_out(const TrialOptions& options, const OpenExperiment& opened, TrialTarget& target, const Test& test) {
+  Database database = Database::open(database_of(options, opened.experiment));
+  const std::uint64_t seed = options.seed.value_or(opened.experiment.seed);
+  const std::int64_t number = next_number(database, opened);
   Trial trial;
   try {
     trial = target.carry_out(test, seed, static_cast<std::uint64_t>(number));
@@ -104,16 +104,16 @@ Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target
   } catch (const Interrupted&) {
     throw;
   } catch (const Error& error) {
-    keep_failure(options, rig, seed, name_of(number), error.what(), database);
+    keep_failure(options, opened, seed, name_of(number), error.what(), database);
     throw Error(std::string(error.what()) + "\n" + name_of(number) +
                 " is stored as failed (view failed_trials); correct the cause, then repeat the command");
   }
   trial.held_out = options.held_out;
-  keep(options, rig, target, seed, trial, database);
+  keep(options, opened, target, seed, trial, database);
   return trial;
 }
 
-void report(const TrialOptions& options, const Rig& rig, const Trial& trial, double duration) {
+void report(const TrialOptions& options, const OpenExperiment& opened, const Trial& trial, double duration) {
   const Eigen::Index samples = trial.measured.times.size();
   if (!takes_standard_output(options.json)) {
     fmt::print("{}{} · {} · {:.4g} s, {} of {}\n", trial.name, options.held_out ? " (held out)" : "",
@@ -127,8 +127,8 @@ void report(const TrialOptions& options, const Rig& rig, const Trial& trial, dou
                                                {"duration", duration},
                                                {"samples", samples},
                                                {"held_out", options.held_out},
-                                               {"seed", options.seed.value_or(rig.experiment.seed)},
-                                               {"database", database_of(options, rig.experiment).string()}}
+                                               {"seed", options.seed.value_or(opened.experiment.seed)},
+                                               {"database", database_of(options, opened.experiment).string()}}
                                         .dump(2) +
                                     "\n");
 }
@@ -189,35 +189,36 @@ void write_commands(const TrialOptions& options, const Test& test, bool takes_te
 
 void run_trial(const TrialOptions& options) {
   check_output(options.json, options.csv);
-  const Rig rig = open_rig(options);
-  if (files_are_limited() && rig.experiment.target.kind == "process")
-    throw_problem(rig.experiment.where("target.kind"),
+  const OpenExperiment opened = open_experiment(options);
+  if (files_are_limited() && opened.experiment.target.kind == "process")
+    throw_problem(opened.experiment.where("target.kind"),
                   "the target is a program, and an agent may not start programs; carry out the test yourself: " +
                       command_to_type("trial", options) + " --test " + shell_word(options.asked.test));
-  const int replicate = last_replicate(database_of(options, rig.experiment), rig.experiment.name);
-  TrialTarget target(rig.experiment, rig.definition, *rig.catalog, replicate);
-  const RobotSpec& robot = target.robot() ? *target.robot() : rig.definition.structure.robot;
-  const TestSpace space = test_space(robot, rig.experiment.engine, 0.0);
+  const int replicate = last_replicate(database_of(options, opened.experiment), opened.experiment.name);
+  TrialTarget target(opened.experiment, opened.definition, *opened.catalog, replicate);
+  const RobotSpec& robot = target.robot() ? *target.robot() : opened.definition.structure.robot;
+  const TestSpace space = test_space(robot, opened.experiment.engine, 0.0);
   if (const std::optional<double> asked = asked_duration(options.asked))
-    check_step_count(rig.experiment, *asked, "of the test");
-  const KnownSetup setup = asked_setup(options.asked, rig.experiment, rig.definition);
+    check_step_count(opened.experiment, *asked, "of the test");
+  const KnownSetup setup = asked_setup(options.asked, opened.experiment, opened.definition);
   if (options.held_out && !setup.own.empty())
     throw_problem({}, "setup " + setup.name() +
                           " has values that are fitted to its trials, and no fit reads a held-out trial: leave out "
                           "--holdout, or choose another setup");
-  Test test = read_test(options.asked, space, *rig.catalog);
+  Test test = read_test(options.asked, space, *opened.catalog);
   test.setup = setup.name();
-  check_step_count(rig.experiment, test.duration, "of the test");
+  check_step_count(opened.experiment, test.duration, "of the test");
   if (target.takes_tests() && !options.csv)
-    report(options, rig, carry_out(options, rig, target, test), test.duration);
+    report(options, opened, carry_out(options, opened, target, test), test.duration);
   else if (!target.takes_tests() && !options.csv && takes_standard_output(options.json))
     throw_problem({},
                   "Lacuna cannot carry out tests on a recorded target; name a file for the commands, because JSON goes "
                   "to standard output: --csv=FILE");
   else
     write_commands(options, test, target.takes_tests(),
-                   any_is_set(known_setups(rig.definition, rig.experiment.target.recording)) ? std::optional(setup)
-                                                                                             : std::nullopt);
+                   any_is_set(known_setups(opened.definition, opened.experiment.target.recording))
+                       ? std::optional(setup)
+                       : std::nullopt);
 }
 
 }  // namespace

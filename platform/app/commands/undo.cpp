@@ -3,7 +3,7 @@
 #include "app/terminal/output.h"
 #include "app/terminal/replace_file.h"
 #include "app/terminal/text_diff.h"
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "config/edits/effects_editor.h"
 #include "config/edits/free_editor.h"
 #include "report/text/change_text.h"
@@ -45,15 +45,15 @@ struct Added {
 };
 
 /// To be taken back.
-Added to_take_back(Workbench& bench, const CommonOptions& options) {
-  const StoredRevision& revision = bench.revision();
+Added to_take_back(ExperimentWorkflow& workflow, const CommonOptions& options) {
+  const StoredRevision& revision = workflow.revision();
   if (!revision.parent)
     throw Error(fmt::format("{}: revision {} is the first in {}; there is nothing to undo", options.experiment.string(),
-                            revision.number, bench.ledger().file().string()));
-  const ResultStore& store = bench.ledger().store();
+                            revision.number, workflow.recorder().file().string()));
+  const ResultStore& store = workflow.recorder().store();
   const RevisionRecord parent =
-      store.revision_record(store.revision(bench.ledger().experiment(), *revision.parent)->id);
-  const ModelSection& model = bench.rig().experiment.model;
+      store.revision_record(store.revision(workflow.recorder().experiment(), *revision.parent)->id);
+  const ModelSection& model = workflow.opened().experiment.model;
   Added added{added_ids(model.effects, parent.effects), freed_values(model.free, parent.free)};
   if (added.effects.empty() && added.values.empty())
     throw Error(
@@ -67,15 +67,15 @@ void run_undo(const CommonOptions& options) {
   check_output(options.json);
   check_replaceable(options.experiment);
   const std::string text = read_text(options.experiment);
-  Rig now = open_rig(options);
+  OpenExperiment now = open_experiment(options);
   const std::shared_ptr<const PluginCatalog> catalog = now.catalog;
-  Workbench bench(options, std::move(now));
+  ExperimentWorkflow workflow(options, std::move(now));
   std::string edited = text;
-  const Added added = to_take_back(bench, options);
+  const Added added = to_take_back(workflow, options);
   for (const std::string& id : added.effects) edited = remove_effect(edited, id);
   for (const std::string& address : added.values) edited = remove_free_value(edited, address);
-  Rig before = open_rig(options, edited, catalog);
-  bench.ledger().done();
+  OpenExperiment before = open_experiment(options, edited, catalog);
+  workflow.recorder().done();
 
   const RevisionErrors errors = errors_with_edit(options, std::move(before), text, edited);
   if (!takes_standard_output(options.json)) {

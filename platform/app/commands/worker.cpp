@@ -39,10 +39,10 @@ void limit(const WorkerTask& task) {
   if (task.memory > 0) limit_memory(task.memory);
 }
 
-std::unique_ptr<const EeaBench> open_bench(const MessageChannel& channel) try {
+std::unique_ptr<const OpenEeaRun> open_eea_run(const MessageChannel& channel) try {
   const WorkerTask task = receive_task(channel);
   limit(task);
-  return std::make_unique<const EeaBench>(open_worker_bench(task));
+  return std::make_unique<const OpenEeaRun>(open_worker_run(task));
 } catch (const std::exception& error) {
   send_failure(channel, failure_sentence(error));
   return nullptr;
@@ -50,9 +50,9 @@ std::unique_ptr<const EeaBench> open_bench(const MessageChannel& channel) try {
 
 int run_worker(int, char**) {
   const MessageChannel channel = channel_to_host();
-  const std::unique_ptr<const EeaBench> bench = open_bench(channel);
-  if (!bench) return 1;
-  serve_evaluations(channel, bench->definition());
+  const std::unique_ptr<const OpenEeaRun> opened = open_eea_run(channel);
+  if (!opened) return 1;
+  serve_evaluations(channel, opened->definition());
   std::fflush(nullptr);
   CallPage::close(0);
   _exit(0);  // nothing is left to be done, and plugins' ends are none of the run's concern

@@ -54,20 +54,20 @@ std::string in_a_note(const std::string& fault) { return without_folders(fault.s
 Replays::Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages)
     : database_(std::move(database)), plugin_paths_(std::move(plugin_paths)), pages_(pages) {}
 
-const StoredBench& Replays::bench_of(const Database& database, const EeaRunListing& run) {
+const OpenStoredRun& Replays::bench_of(const Database& database, const EeaRunListing& run) {
   const auto known = benches_.find(run.identity);
   if (known != benches_.end()) return known->second;
   return benches_.insert_or_assign(run.identity, open_stored(database, run, plugin_paths_)).first->second;
 }
 
 Replays::Subject Replays::subject_of(Database& database, const EeaRunListing& run) {
-  const StoredBench& stored = bench_of(database, run);
+  const OpenStoredRun& stored = bench_of(database, run);
   std::mutex unused;
   const EeaStore store(database, unused, run.run, {});
   const std::vector<PassRow> passes = store.passes();
   const auto best = std::find_if(passes.rbegin(), passes.rend(), [](const PassRow& pass) { return pass.best_model; });
   if (best == passes.rend()) throw Error(fmt::format("run {} has no finished pass", run.run.value));
-  const EeaDefinition& definition = stored.bench->definition();
+  const EeaDefinition& definition = stored.opened->definition();
   return {stored, run, best->number, stored_model(store, definition, *best->best_model), run_trials(store, definition)};
 }
 
@@ -98,8 +98,8 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
   const std::vector<double> times(scored.trial.measured.times.begin(), scored.trial.measured.times.end());
   const Eigen::Index stride = frame_stride(scored.trial.measured.times);
 
-  const EeaBench& bench = *subject.stored.bench;
-  const ModelDefinition& definition = bench.definition().model;
+  const OpenEeaRun& opened = *subject.stored.opened;
+  const ModelDefinition& definition = opened.definition().model;
   const ModelStructure structure = structure_of(model.model, definition);
   ReplayRecord replay{.experiment = subject.run.experiment,
                       .identity = subject.run.identity,
@@ -114,10 +114,10 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
   add_motion(replay, "model", motion, stride);
   replay.traces.emplace_back("predicted", std::move(motion.readings));
   replay.traces.emplace_back("measured", scored.trial.measured);
-  if (const ModelDefinition* target = bench.target()) {
+  if (const ModelDefinition* target = opened.target()) {
     // The commands that it received, so that noise in its sensors moves it as it did then.
     const Test received{scored.trial.commands, scored.test.duration, scored.test.start};
-    const std::vector<double> hidden = bench.hidden_values(subject.run.replicate);
+    const std::vector<double> hidden = opened.hidden_values(subject.run.replicate);
     add_motion(replay, "target", PosedRobot(target->structure, target->engine).move(hidden, received, times), stride);
     replay.target_robot = canonical_text(target->structure.robot);
   }

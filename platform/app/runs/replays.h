@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/runs/run_trials.h"
-#include "app/runs/stored_bench.h"
+#include "app/runs/open_stored_run.h"
 #include "app/runs/stored_model.h"
 #include "storage/pages/page_database.h"
 
@@ -32,13 +32,13 @@ class Replays {
  private:
   /// The best model of a run so far, and what it is simulated with.
   struct Subject {
-    const StoredBench& stored;
+    const OpenStoredRun& stored;
     EeaRunListing run;
     int pass = 0;
     StoredModel model;
     std::vector<RunTrial> trials;  ///< all of the run
   };
-  const StoredBench& bench_of(const Database& database, const EeaRunListing& run);
+  const OpenStoredRun& bench_of(const Database& database, const EeaRunListing& run);
   static ScoredTrial trial_of(const Subject& subject, std::int64_t trial);
   Subject subject_of(Database& database, const EeaRunListing& run);
   std::int64_t find_or_simulate(const Subject& subject, std::int64_t trial);
@@ -50,7 +50,7 @@ class Replays {
   std::vector<std::filesystem::path> plugin_paths_;
   PageDatabase& pages_;
   std::mutex working_;
-  std::map<std::string, StoredBench> benches_;  ///< by the identities of runs
+  std::map<std::string, OpenStoredRun> benches_;  ///< by the identities of runs
 };
 
 }  // namespace lacuna

@@ -50,8 +50,8 @@ class ShownJournal : public StoreJournal {
 };
 
 /// A rig carries out one trial at a time.
-int most_side_by_side(const EeaBench& bench) {
-  const TargetSection& target = bench.rig().experiment.target;
+int most_side_by_side(const OpenEeaRun& opened) {
+  const TargetSection& target = opened.opened().experiment.target;
   return target.kind == "process" ? target.process.copies : std::numeric_limits<int>::max();
 }
 
@@ -77,16 +77,16 @@ void close(EeaStore& store, ReplicateEnd& end) {
 }  // namespace
 
 EeaRunRecord Replicates::record(int replicate) const {
-  const EeaDefinition& definition = bench_.definition();
+  const EeaDefinition& definition = opened_.definition();
   EeaRunRecord record;
   record.replicate = replicate;
   record.metric = definition.metric.origin.name;
-  record.truth = bench_.truth(replicate);
+  record.truth = opened_.truth(replicate);
   for (const FreeValue& value : definition.model.free)
     record.free.push_back({value.address, value.unit, value.lower, value.upper, value.start});
   record.model_genes = names_of(definition.estimation.layout());
   record.passes = definition.passes;
-  if (!bench_.takes_tests()) return record;
+  if (!opened_.takes_tests()) return record;
   record.fitness = definition.value.name();
   record.fitness_unit = definition.value.unit();
   record.test_genes = names_of(definition.exploration.layout());
@@ -102,8 +102,8 @@ void Replicates::enter(const std::vector<PlannedReplicate>& planned) {
 }
 
 EeaState Replicates::state_of(EeaStore& store) const {
-  if (std::optional<EeaState> state = stored_state(store, bench_.definition())) return std::move(*state);
-  EeaState state = beginning(bench_);
+  if (std::optional<EeaState> state = stored_state(store, opened_.definition())) return std::move(*state);
+  EeaState state = beginning(opened_);
   for (std::size_t i = 0; i < state.trials.size(); ++i)
     store.append({.number = static_cast<int>(i), .test = {}, .file = state.trials[i].trial.name},
                  state.trials[i].trial);
@@ -119,17 +119,17 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     throw_if_interrupted();
     EeaState state = state_of(store);
     ShownJournal journal(store, display, index);
-    const ReplicateTarget target(bench_, planned.seed, planned.replicate,
+    const ReplicateTarget target(opened_, planned.seed, planned.replicate,
                                  [&](const std::string& note) { display.note(index, note); });
     std::optional<RemoteEvaluations> elsewhere;
     if (workers_) elsewhere.emplace(*workers_, threads);
-    eea_loop({.definition = bench_.definition(),
+    eea_loop({.definition = opened_.definition(),
               .journal = journal,
               .seed = planned.seed,
               .replicate = planned.replicate,
               .threads = threads,
-              .truth = bench_.truth(planned.replicate),
-              .target = bench_.target() ? &bench_.target()->structure.robot : nullptr,
+              .truth = opened_.truth(planned.replicate),
+              .target = opened_.target() ? &opened_.target()->structure.robot : nullptr,
               .progress = [&](const EeaProgress& progress) { display.show(index, progress); },
               .evaluations = elsewhere ? &*elsewhere : nullptr},
              target.target(), state);
@@ -164,7 +164,7 @@ std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& p
   std::vector<ReplicateEnd> ends;
   ends.reserve(planned.size());
   for (const PlannedReplicate& each : planned) ends.emplace_back().planned = each;
-  const int side_by_side = std::min({threads, static_cast<int>(planned.size()), most_side_by_side(bench_)});
+  const int side_by_side = std::min({threads, static_cast<int>(planned.size()), most_side_by_side(opened_)});
   const ClaimBeats beats(database_, writing_);
   const int threads_each = std::max(1, threads / std::max(1, side_by_side));
   parallel_for(planned.size(), side_by_side,

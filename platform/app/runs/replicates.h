@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 #include "app/runs/replicate.h"
 #include "app/runs/run_display.h"
 #include "isolation/worker_pool.h"
@@ -16,8 +16,8 @@ namespace lacuna {
 class Replicates {
  public:
   /// `workers`: processes that simulate the models; null: this one does. They must outlive it.
-  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment, WorkerPool* workers = nullptr)
-      : bench_(bench), database_(database), experiment_(experiment), workers_(workers) {}
+  Replicates(const OpenEeaRun& opened, Database& database, ExperimentId experiment, WorkerPool* workers = nullptr)
+      : opened_(opened), database_(database), experiment_(experiment), workers_(workers) {}
 
   /// Writes down what the runs are about, so that each can be gone on with, even one that never got its turn.
   void enter(const std::vector<PlannedReplicate>& planned);
@@ -29,7 +29,7 @@ class Replicates {
   EeaRunRecord record(int replicate) const;
   EeaState state_of(EeaStore& store) const;
 
-  const EeaBench& bench_;
+  const OpenEeaRun& opened_;
   Database& database_;
   ExperimentId experiment_;
   WorkerPool* workers_;

@@ -36,9 +36,9 @@ bool is_accepted(const ChangedPlugin& changed, const RunOptions& options) {
 }
 
 /// A name that is no plugin's may be a slip.
-void check_accepted(const RunOptions& options, const EeaBench& bench) {
+void check_accepted(const RunOptions& options, const OpenEeaRun& opened) {
   std::vector<std::string> used;
-  for (const PluginFileRecord& file : plugins_of_run(bench.rig().experiment, *bench.rig().catalog))
+  for (const PluginFileRecord& file : plugins_of_run(opened.opened().experiment, *opened.opened().catalog))
     used.push_back(plugin_name(file));
   ProblemList problems;
   for (const std::string& name : options.accepted_plugins)
@@ -62,8 +62,8 @@ std::string how_to_accept(const std::vector<ChangedPlugin>& changed) {
 
 /// Differences between the settings at the beginning of the run and now; empty: it can continue. How a target's program
 /// is run does not count: a limit may be raised, and a rig may have another port.
-std::string difference(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
-  const Experiment& file = bench.rig().experiment;
+std::string difference(const StoredRun& stored, const RunOptions& options, const OpenEeaRun& opened) {
+  const Experiment& file = opened.opened().experiment;
   std::vector<std::string> other;
   if (!same_values(result_setting(stored.experiment.text, stored.experiment.overrides),
                    result_setting(file.text, file.overrides))) {
@@ -72,7 +72,7 @@ std::string difference(const StoredRun& stored, const RunOptions& options, const
   }
   if (options.seed && *options.seed != stored.seed) other.push_back(fmt::format("--seed {}", stored.seed));
   for (std::string& changed : changed_robots(stored, file)) other.push_back(std::move(changed));
-  for (const ChangedPlugin& changed : changed_plugins(stored, file, *bench.rig().catalog))
+  for (const ChangedPlugin& changed : changed_plugins(stored, file, *opened.opened().catalog))
     if (!is_accepted(changed, options)) other.push_back(to_string(changed));
   return fmt::format("{}", fmt::join(other, ", with "));
 }
@@ -88,11 +88,12 @@ RunClaim claim_by(Clock::time_point deadline, Database& database, RunId run, con
 }
 
 /// Adds the run to the plan, or records the reason why not. Returns whether it was begun with the present settings.
-bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, Database& database,
+bool consider(const EeaRunListing& run, const RunOptions& options, const OpenEeaRun& opened, Database& database,
               const std::vector<ForeignClaim>& silent, Clock::time_point deadline, RunPlan& plan) {
   const StoredRun stored = stored_run(database, run.run);
-  const std::string other = difference(stored, options, bench);
-  const std::vector<ChangedPlugin> changed = changed_plugins(stored, bench.rig().experiment, *bench.rig().catalog);
+  const std::string other = difference(stored, options, opened);
+  const std::vector<ChangedPlugin> changed =
+      changed_plugins(stored, opened.opened().experiment, *opened.opened().catalog);
   if (!other.empty()) {
     std::vector<ChangedPlugin> rebuilt = changed;
     std::erase_if(rebuilt, [&](const ChangedPlugin& plugin) { return is_accepted(plugin, options); });
@@ -115,12 +116,12 @@ bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBenc
 
 /// The newest run that is done and was begun with what there is now. Where it is the settings that keep the newest one
 /// from being it, that is said.
-std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOptions& options, const EeaBench& bench,
+std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOptions& options, const OpenEeaRun& opened,
                                   const Database& database, RunPlan& plan) {
   std::erase_if(runs, [](const EeaRunListing& run) { return run.ending != "done"; });
   std::string of_newest;
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
-    const std::string other = difference(stored_run(database, run->run), options, bench);
+    const std::string other = difference(stored_run(database, run->run), options, opened);
     if (other.empty()) return run->run;
     if (of_newest.empty()) of_newest = fmt::format("run {} is done, but it was begun with {}", run->run.value, other);
   }
@@ -160,16 +161,16 @@ std::vector<EeaRunListing> runs_of(const Database& database, const std::string& 
 
 }  // namespace
 
-bool has_run(const Database& database, const EeaBench& bench) {
-  return !runs_of(database, bench.rig().experiment.name).empty();
+bool has_run(const Database& database, const OpenEeaRun& opened) {
+  return !runs_of(database, opened.opened().experiment.name).empty();
 }
 
-RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
-  const Experiment& file = bench.rig().experiment;
+RunPlan begin_runs(const RunOptions& options, const OpenEeaRun& opened, Database& database) {
+  const Experiment& file = opened.opened().experiment;
   RunPlan plan;
   const std::uint64_t seed = options.seed.value_or(file.seed);
   plan.threads = options.threads > 0 ? options.threads : default_threads();
-  const std::vector<PluginFileRecord> plugins = plugins_of_run(file, *bench.rig().catalog);
+  const std::vector<PluginFileRecord> plugins = plugins_of_run(file, *opened.opened().catalog);
   Transaction transaction(database);
   ResultStore store(database);
   const int first = options.only_replicate.value_or(1);
@@ -183,30 +184,30 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
     plan.replicates.push_back({run, replicate, seed});
     plan.claims.emplace_back(database, run);
   }
-  Replicates(bench, database, plan.experiment).enter(plan.replicates);
+  Replicates(opened, database, plan.experiment).enter(plan.replicates);
   transaction.commit();
   store.hand_over();
   return plan;
 }
 
-RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
-  check_accepted(options, bench);
+RunPlan unfinished_runs(const RunOptions& options, const OpenEeaRun& opened, Database& database) {
+  check_accepted(options, opened);
   RunPlan plan;
   plan.threads = options.threads > 0 ? options.threads : default_threads();
-  const std::string& name = bench.rig().experiment.name;
+  const std::string& name = opened.opened().experiment.name;
   const std::vector<EeaRunListing> runs = runs_of(database, name);
   bool unfinished = false;
   const std::vector<ForeignClaim> silent = silent_ones(database, runs, options.quiet);
   const Clock::time_point deadline = Clock::now() + kEnding;
   Clock::time_point beaten = Clock::now();
   for (const EeaRunListing& run : runs) {
-    if (run.ending != "done" && consider(run, options, bench, database, silent, deadline, plan)) unfinished = true;
+    if (run.ending != "done" && consider(run, options, opened, database, silent, deadline, plan)) unfinished = true;
     if (std::chrono::duration<double>(Clock::now() - beaten).count() < kBetweenBeats) continue;
     beat_claims(database);
     beaten = Clock::now();
   }
   if (plan.replicates.empty()) {
-    if (!unfinished) plan.finished = finished_run(runs_of(database, name), options, bench, database, plan);
+    if (!unfinished) plan.finished = finished_run(runs_of(database, name), options, opened, database, plan);
     if (!plan.finished) refuse(database, name, plan);
     return plan;
   }
@@ -215,7 +216,7 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);
   for (const auto& [run, plugin] : plan.rebuilt) replace_plugin(database, run, plugin.before, plugin.now);
-  Replicates(bench, database, plan.experiment).enter(plan.replicates);
+  Replicates(opened, database, plan.experiment).enter(plan.replicates);
   transaction.commit();
   store.hand_over();
   return plan;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 #include "app/runs/replicate.h"
 #include "app/terminal/options.h"
 #include "app/workspace/run_inputs.h"
@@ -35,16 +35,16 @@ struct RunPlan {
 };
 
 /// Whether there is a run of this experiment to go on with, or one that is done.
-bool has_run(const Database& database, const EeaBench& bench);
+bool has_run(const Database& database, const OpenEeaRun& opened);
 
 /// Enters new runs into the database, one a replicate.
-RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database);
+RunPlan begin_runs(const RunOptions& options, const OpenEeaRun& opened, Database& database);
 
 /// This experiment's runs that are not done and were begun with what the experiment says now (but for comments and how
 /// a target's program is run), the options, robot files and plugins are; each keeps its seed. Another build
 /// of a plugin that the options accept is recorded, and noted. Where all such runs are done, the plan is only the
 /// newest one's number. Throws `BadInput` where there is no such run, or another process carries it out, with the
 /// reason for each that is not done.
-RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database);
+RunPlan unfinished_runs(const RunOptions& options, const OpenEeaRun& opened, Database& database);
 
 }  // namespace lacuna

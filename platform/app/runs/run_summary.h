@@ -1,12 +1,12 @@
 #pragma once
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 
 #include <string>
 
 namespace lacuna {
 
 /// What `lacuna check` says of an experiment's target, tests and searches.
-std::string run_summary(const EeaBench& bench);
+std::string run_summary(const OpenEeaRun& opened);
 
 }  // namespace lacuna

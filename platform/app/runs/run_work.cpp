@@ -85,13 +85,14 @@ void judge(const std::vector<ReplicateEnd>& ends, const std::string& command) {
 }
 
 /// What the command line lacks to go on: with the next build of a plugin that ended the run, too.
-std::string options_to_go_on(const std::vector<ReplicateEnd>& ends, const RunOptions& options, const EeaBench& bench) {
+std::string options_to_go_on(const std::vector<ReplicateEnd>& ends, const RunOptions& options,
+                             const OpenEeaRun& opened) {
   if (!options.task.empty()) return "";
   std::string more = options.resume ? "" : " --resume";
   const std::string failures = failures_of(ends);
   if (!blames_plugin(failures)) return more;
   const std::vector<std::string>& accepted = options.accepted_plugins;
-  for (const PluginFileRecord& plugin : plugins_of_run(bench.rig().experiment, *bench.rig().catalog)) {
+  for (const PluginFileRecord& plugin : plugins_of_run(opened.opened().experiment, *opened.opened().catalog)) {
     const std::string name = plugin_name(plugin);
     if (failures.find(plugin.file) != std::string::npos &&
         std::find(accepted.begin(), accepted.end(), name) == accepted.end())
@@ -139,31 +140,32 @@ void say_finished(const RunOptions& options, const std::string& experiment, RunI
 
 void carry_out_run(const RunOptions& options) {
   check_output(options.json);
-  const EeaBench bench(open_rig(options));
-  bench.rig().tell_doubts();
-  const std::filesystem::path file = database_of(options, bench.rig().experiment);
-  ask_target(bench);  // what does not fit is said before a run begins
+  const OpenEeaRun opened(open_experiment(options));
+  opened.opened().tell_doubts();
+  const std::filesystem::path file = database_of(options, opened.opened().experiment);
+  ask_target(opened);  // what does not fit is said before a run begins
   Database database = Database::open(file);
-  const bool goes_on = options.resume && has_run(database, bench);
-  RunPlan plan = goes_on ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  const bool goes_on = options.resume && has_run(database, opened);
+  RunPlan plan = goes_on ? unfinished_runs(options, opened, database) : begin_runs(options, opened, database);
   if (options.resume && !goes_on && !options.quiet)
-    fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(), bench.rig().experiment.name);
+    fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(),
+               opened.opened().experiment.name);
   if (!options.quiet)
-    for (const std::string& reason : not_done(options, bench.rig().experiment, plan, goes_on))
+    for (const std::string& reason : not_done(options, opened.opened().experiment, plan, goes_on))
       fmt::print(stderr, "{}\n", reason);
   for (const auto& [run, plugin] : plan.rebuilt)
     fmt::print(stderr,
                "run {} continues with another build of {}; its rows so far come from the build with SHA-256 {:.12}…, "
                "so no single build reproduces the run\n",
                run.value, plugin.now.file, plugin.before.sha256);
-  if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
+  if (plan.finished) return say_finished(options, opened.opened().experiment.name, *plan.finished, file.string());
   RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
-  lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
-  const std::unique_ptr<WorkerPool> workers = worker_pool(options, bench, plan.threads);
+  lines.begin(opened.opened().experiment.name, plan.threads, plan.replicates);
+  const std::unique_ptr<WorkerPool> workers = worker_pool(options, opened, plan.threads);
   std::vector<ReplicateEnd> ends;
   {
     RunDisplay display(plan.replicates, options.quiet, &lines);
-    ends = Replicates(bench, database, plan.experiment, workers.get()).run(plan.replicates, plan.threads, display);
+    ends = Replicates(opened, database, plan.experiment, workers.get()).run(plan.replicates, plan.threads, display);
   }
   RunClaim::release(plan.claims);
   lift_time_limit();  // what follows is quick
@@ -172,7 +174,7 @@ void carry_out_run(const RunOptions& options) {
     print_ends(ends, plan.experiment, database);
     if (options.task.empty()) print_next(ends, database);
   }
-  judge(ends, command_line() + options_to_go_on(ends, options, bench));
+  judge(ends, command_line() + options_to_go_on(ends, options, opened));
   lines.throw_if_failed();
 }
 

@@ -1,9 +1,9 @@
 #include "app/tasks/freeze_plan.h"
 
-#include "app/runs/eea_bench.h"
+#include "app/runs/open_eea_run.h"
 #include "app/terminal/options.h"
 #include "app/terminal/scratch_folder.h"
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "app/workspace/used_plugins.h"
 #include "config/experiment_reader.h"
 #include "config/overrides.h"
@@ -60,19 +60,19 @@ std::vector<SweptKey> swept_keys(std::vector<SweptKey> keys, const std::vector<S
 }
 
 /// All effects are candidates of a diagnosis.
-std::vector<PluginFileRecord> plugins_of_task(TaskKind kind, const Rig& rig) {
-  if (kind == TaskKind::run) return plugins_of_run(rig.experiment, *rig.catalog);
-  std::vector<PluginFileRecord> files = plugins_of_model(rig.experiment, *rig.catalog);
-  for (const PluginListing& listing : rig.catalog->list())
+std::vector<PluginFileRecord> plugins_of_task(TaskKind kind, const OpenExperiment& opened) {
+  if (kind == TaskKind::run) return plugins_of_run(opened.experiment, *opened.catalog);
+  std::vector<PluginFileRecord> files = plugins_of_model(opened.experiment, *opened.catalog);
+  for (const PluginListing& listing : opened.catalog->list())
     if (listing.kind == "effect") files.push_back({listing.file.string(), listing.sha256, listing.build_id});
   return files;
 }
 
 /// The numbers of everything that the results follow from, ascending.
-std::vector<std::size_t> inputs_of(TaskKind kind, const Rig& rig, Inputs& inputs) {
+std::vector<std::size_t> inputs_of(TaskKind kind, const OpenExperiment& opened, Inputs& inputs) {
   std::vector<std::size_t> numbers = {inputs.number_of(kThisProgram)};
-  for (const std::filesystem::path& file : input_files(rig.experiment)) numbers.push_back(inputs.number_of(file));
-  for (const PluginFileRecord& file : plugins_of_task(kind, rig)) numbers.push_back(inputs.number_of(file.file));
+  for (const std::filesystem::path& file : input_files(opened.experiment)) numbers.push_back(inputs.number_of(file));
+  for (const PluginFileRecord& file : plugins_of_task(kind, opened)) numbers.push_back(inputs.number_of(file.file));
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
@@ -80,18 +80,18 @@ std::vector<std::size_t> inputs_of(TaskKind kind, const Rig& rig, Inputs& inputs
 
 /// Adds the tasks of one experiment at one point of its sweep.
 void add_tasks(const PlanOptions& options, const CommonOptions& point, TaskPlan& plan, Inputs& inputs) {
-  Rig rig = open_rig(point);
+  OpenExperiment opened = open_experiment(point);
   Task task;
   task.kind = options.kind;
   task.experiment = point.experiment;
-  task.name = rig.experiment.name;
+  task.name = opened.experiment.name;
   task.settings = point.overrides;
-  task.seed = options.seed.value_or(rig.experiment.seed);
-  task.inputs = inputs_of(options.kind, rig, inputs);
-  if (options.kind == TaskKind::diagnosis && rig.trials.empty())
+  task.seed = options.seed.value_or(opened.experiment.seed);
+  task.inputs = inputs_of(options.kind, opened, inputs);
+  if (options.kind == TaskKind::diagnosis && opened.trials.empty())
     throw_problem({point.experiment.string()}, "has no recorded trials; a diagnosis needs some");
-  const int replicates = options.kind == TaskKind::run ? options.replicates.value_or(rig.experiment.replicates) : 1;
-  if (options.kind == TaskKind::run) const EeaBench ready(std::move(rig));  // says what keeps it from running
+  const int replicates = options.kind == TaskKind::run ? options.replicates.value_or(opened.experiment.replicates) : 1;
+  if (options.kind == TaskKind::run) const OpenEeaRun ready(std::move(opened));  // says what keeps it from running
   for (task.replicate = 1; task.replicate <= replicates; ++task.replicate) {
     task.id = id_of(task, plan.inputs);
     plan.tasks.push_back(task);

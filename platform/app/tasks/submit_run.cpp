@@ -3,7 +3,7 @@
 #include "app/tasks/freeze_plan.h"
 #include "app/tasks/new_database.h"
 #include "app/terminal/time_limit.h"
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"

@@ -17,10 +17,10 @@ CheckJson names_json(const std::vector<Spec>& specs) {
   return names;
 }
 
-CheckJson checked_robot(const Rig& rig) {
-  const RobotSpec& robot = rig.definition.structure.robot;
+CheckJson checked_robot(const OpenExperiment& opened) {
+  const RobotSpec& robot = opened.definition.structure.robot;
   return {{"name", robot.name},
-          {"plugin", rig.experiment.model.robot},
+          {"plugin", opened.experiment.model.robot},
           {"bodies", names_json(robot.bodies)},
           {"joints", names_json(robot.joints)},
           {"actuators", names_json(robot.actuators)},
@@ -83,21 +83,21 @@ CheckJson checked_notes(const std::vector<ReadingNote>& notes) {
 
 }  // namespace
 
-std::string check_json(const Rig& rig, const std::string& database) {
-  const RecordingSource& source = rig.experiment.target.recording;
+std::string check_json(const OpenExperiment& opened, const std::string& database) {
+  const RecordingSource& source = opened.experiment.target.recording;
   CheckJson channels = CheckJson::array();
-  add_channels(source.sensors, SeriesKind::measured, rig.trials, channels);
-  add_channels(source.commands, SeriesKind::commanded, rig.trials, channels);
-  return CheckJson{{"experiment", rig.experiment.name},
+  add_channels(source.sensors, SeriesKind::measured, opened.trials, channels);
+  add_channels(source.commands, SeriesKind::commanded, opened.trials, channels);
+  return CheckJson{{"experiment", opened.experiment.name},
                    {"database", database},
-                   {"target", rig.experiment.target.kind},
-                   {"robot", checked_robot(rig)},
-                   {"free", checked_free(rig.definition.free)},
-                   {"effects", checked_effects(rig.definition.effects)},
-                   {"trials", checked_trials(rig.trials)},
+                   {"target", opened.experiment.target.kind},
+                   {"robot", checked_robot(opened)},
+                   {"free", checked_free(opened.definition.free)},
+                   {"effects", checked_effects(opened.definition.effects)},
+                   {"trials", checked_trials(opened.trials)},
                    {"channels", channels},
-                   {"setups", setups_json(known_setups(rig.definition, source))},
-                   {"notes", checked_notes(rig.notes)}}
+                   {"setups", setups_json(known_setups(opened.definition, source))},
+                   {"notes", checked_notes(opened.notes)}}
              .dump(2) +
          "\n";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 
 #include <string>
 
@@ -8,6 +8,6 @@ namespace lacuna {
 
 /// What `check_summary` prints, as JSON: robot, free values, effects, trials, channels with their ranges in SI units,
 /// setups, and notes with their places. `database`: where results of the experiment are kept unless `--db` says else.
-std::string check_json(const Rig& rig, const std::string& database);
+std::string check_json(const OpenExperiment& opened, const std::string& database);
 
 }  // namespace lacuna

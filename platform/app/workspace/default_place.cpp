@@ -20,15 +20,15 @@ void append_names(const std::vector<Spec>& elements, ElementKind kind, std::vect
 }
 
 /// Whether the effect accepts that place; it may have reasons of its own to refuse one of the right kind.
-bool accepts(const Rig& rig, const std::string& effect, const std::string& place) {
-  Experiment extended = rig.experiment;
+bool accepts(const OpenExperiment& opened, const std::string& effect, const std::string& place) {
+  Experiment extended = opened.experiment;
   EffectEntry entry;
   entry.id = "candidate of default_place";  // no id of a file has a space
   entry.effect = effect;
   entry.where = {place};
   extended.model.effects.push_back(std::move(entry));
   try {
-    define_model(extended, *rig.catalog);
+    define_model(extended, *opened.catalog);
     return true;
   } catch (const Error&) {
     return false;
@@ -62,22 +62,22 @@ std::string question_of_place(const std::string& effect, const std::vector<Eleme
   return fmt::format("say where: --where {} ({})", fmt::join(places, " or --where "), acts);
 }
 
-std::vector<std::string> default_place(const Rig& rig, const std::string& effect) {
+std::vector<std::string> default_place(const OpenExperiment& opened, const std::string& effect) {
   std::vector<ElementKind> kinds;
   try {
-    const auto& plugin = rig.catalog->get<PhysicalEffect>(effect);
-    kinds = guarded_call(rig.catalog->origin<PhysicalEffect>(effect), "describe", [&] {
+    const auto& plugin = opened.catalog->get<PhysicalEffect>(effect);
+    kinds = guarded_call(opened.catalog->origin<PhysicalEffect>(effect), "describe", [&] {
               return plugin.describe();
             }).placements;
   } catch (const Error&) {
     return {};  // the editor of the list says what is wrong with the effect
   }
   if (std::find(kinds.begin(), kinds.end(), ElementKind::world) != kinds.end()) return {};
-  std::vector<std::string> places = elements_of(rig.definition.structure.robot, kinds);
+  std::vector<std::string> places = elements_of(opened.definition.structure.robot, kinds);
   if (places.size() == 1) return places;
   std::vector<std::string> accepted;
   std::copy_if(places.begin(), places.end(), std::back_inserter(accepted),
-               [&](const std::string& place) { return accepts(rig, effect, place); });
+               [&](const std::string& place) { return accepts(opened, effect, place); });
   if (accepted.size() == 1) return accepted;
   throw_problem(
       {}, fmt::format("add {}: {}", effect, question_of_place(effect, kinds, accepted.empty() ? places : accepted)));

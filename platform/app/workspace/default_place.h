@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 
 #include <string>
 #include <vector>
@@ -18,6 +18,6 @@ std::string question_of_place(const std::string& effect, const std::vector<Eleme
 /// Where an effect is placed when the user does not say it: on the only element that the effect can be placed on; empty
 /// for an effect that acts on the world, and for one that no plugin has. Throws `BadInput` where there are several
 /// elements, or none.
-std::vector<std::string> default_place(const Rig& rig, const std::string& effect);
+std::vector<std::string> default_place(const OpenExperiment& opened, const std::string& effect);
 
 }  // namespace lacuna

@@ -12,7 +12,7 @@ namespace {
 
 /// Asks the database about the revision that the rig is, if it has that.
 template <class Answer, class Question>
-Answer asked(const CommonOptions& options, const Rig& base, const Question& question) {
+Answer asked(const CommonOptions& options, const OpenExperiment& base, const Question& question) {
   const std::filesystem::path file = database_of(options, base.experiment);
   if (!std::filesystem::exists(file)) return {};
   Database database = Database::open_read_only(file);
@@ -23,7 +23,7 @@ Answer asked(const CommonOptions& options, const Rig& base, const Question& ques
   return revision ? question(store, revision->id) : Answer{};
 }
 
-std::vector<CandidateValueRecord> diagnosed_values(const CommonOptions& options, const Rig& base,
+std::vector<CandidateValueRecord> diagnosed_values(const CommonOptions& options, const OpenExperiment& base,
                                                    const EffectEntry& entry) {
   if (entry.where.size() > 1) return {};
   return asked<std::vector<CandidateValueRecord>>(options, base, [&](const ResultStore& store, RevisionId revision) {
@@ -33,8 +33,8 @@ std::vector<CandidateValueRecord> diagnosed_values(const CommonOptions& options,
 
 }  // namespace
 
-std::map<std::string, double> diagnosed_start(const CommonOptions& options, const Rig& base, const Rig& extended,
-                                              const EffectEntry& entry) {
+std::map<std::string, double> diagnosed_start(const CommonOptions& options, const OpenExperiment& base,
+                                              const OpenExperiment& extended, const EffectEntry& entry) {
   std::map<std::string, double> start;
   for (const CandidateValueRecord& found : diagnosed_values(options, base, entry)) {
     for (const FreeValue& free : extended.definition.free)
@@ -44,7 +44,7 @@ std::map<std::string, double> diagnosed_start(const CommonOptions& options, cons
   return start;
 }
 
-std::vector<EffectAtPlace> diagnosed_answer(const CommonOptions& options, const Rig& base) {
+std::vector<EffectAtPlace> diagnosed_answer(const CommonOptions& options, const OpenExperiment& base) {
   return asked<std::vector<EffectAtPlace>>(
       options, base, [](const ResultStore& store, RevisionId revision) { return store.diagnosed_answer(revision); });
 }

@@ -4,9 +4,9 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/scale_note.h"
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "answer/find_missing_effects.h"
-#include "candidates/among.h"
+#include "candidates/effect_filter.h"
 #include "documents/diagnosis_json.h"
 #include "foundation/text/counted.h"
 #include "foundation/processes/interrupt.h"
@@ -20,25 +20,26 @@ namespace lacuna {
 namespace {
 
 /// Continues from the state of an interrupted call, and stores its state.
-Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench) {
-  bench.ledger().check_kept();
-  const Rig& rig = bench.rig();
-  const std::optional<KeptFits> before = bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
+Diagnosis make_diagnosis(const DiagnoseOptions& options, ExperimentWorkflow& workflow) {
+  workflow.recorder().check_kept();
+  const OpenExperiment& opened = workflow.opened();
+  const std::optional<KeptFits> before =
+      workflow.recorder().unfinished_diagnosis(workflow.revision(), opened, options.among);
   if (before && !options.quiet)
     fmt::print(stderr, "continuing: {} known from an earlier call\n", counted(before->size(), "model"));
   ProgressLine line(options.quiet);
-  return find_missing_effects({.experiment = rig.experiment,
-                               .catalog = *rig.catalog,
-                               .definition = rig.definition,
-                               .model = *rig.model,
-                               .trials = rig.trials,
+  return find_missing_effects({.experiment = opened.experiment,
+                               .catalog = *opened.catalog,
+                               .definition = opened.definition,
+                               .model = *opened.model,
+                               .trials = opened.trials,
                                .among = options.among,
-                               .seed = options.seed.value_or(rig.experiment.seed),
-                               .threads = bench.threads(),
+                               .seed = options.seed.value_or(opened.experiment.seed),
+                               .threads = workflow.threads(),
                                .progress = line.callback(),
                                .known = before ? &*before : nullptr,
                                .keep = [&](const KeptFits& fits) {
-                                 bench.ledger().keep_unfinished(bench.revision(), rig, options.among, fits);
+                                 workflow.recorder().keep_unfinished(workflow.revision(), opened, options.among, fits);
                                }});
 }
 
@@ -47,23 +48,23 @@ struct Found {
   bool known = false;  ///< it was in the database
 };
 
-Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) {
-  const Rig& rig = bench.rig();
-  if (const auto known = bench.ledger().known_diagnosis(bench.revision(), rig, options.among))
+Found find_diagnosis(const DiagnoseOptions& options, ExperimentWorkflow& workflow) {
+  const OpenExperiment& opened = workflow.opened();
+  if (const auto known = workflow.recorder().known_diagnosis(workflow.revision(), opened, options.among))
     return {read_diagnosis(*known), true};
-  Diagnosis made = make_diagnosis(options, bench);
+  Diagnosis made = make_diagnosis(options, workflow);
   lift_time_limit();  // what follows is quick
   if (made.stopped)
-    bench.ledger().keep_stopped(bench.revision(), rig, options.among, made);
+    workflow.recorder().keep_stopped(workflow.revision(), opened, options.among, made);
   else
-    bench.ledger().keep(bench.revision(), rig, options.among, made);
+    workflow.recorder().keep(workflow.revision(), opened, options.among, made);
   return {std::move(made)};
 }
 
 /// If an effect only compensates for a wrong scale of the readings, correct the scale instead of adding it.
-std::string correction_before_adding(const Rig& rig, const Diagnosis& diagnosis) {
+std::string correction_before_adding(const OpenExperiment& opened, const Diagnosis& diagnosis) {
   if (diagnosis.verdict != Verdict::effect_found && diagnosis.verdict != Verdict::not_in_library) return "";
-  const std::string lines = scale_correction(rig);
+  const std::string lines = scale_correction(opened);
   return lines.empty() ? "" : "under [target.sensors]: " + lines;
 }
 
@@ -72,25 +73,27 @@ std::string correction_before_adding(const Rig& rig, const Diagnosis& diagnosis)
 void carry_out_diagnosis(DiagnoseOptions options) {
   check_output(options.json);
   check_output_folder(options.out);
-  Workbench bench(options);
-  options.among = check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
+  ExperimentWorkflow workflow(options);
+  options.among = check_effect_filter(options.among, workflow.opened().experiment, *workflow.opened().catalog,
+                                      workflow.opened().definition);
   CallPage::allow_new_beginning(options.among.empty() && !has_time_limit());  // without a candidate that ends it
-  const auto [diagnosis, known] = find_diagnosis(options, bench);
+  const auto [diagnosis, known] = find_diagnosis(options, workflow);
   CallPage::allow_new_beginning(false);
   if (!takes_standard_output(options.json) && options.task.empty())  // what a task found is read from its plan
     fmt::print("{}{}",
                diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options),
-                              correction_before_adding(bench.rig(), diagnosis)),
+                              correction_before_adding(workflow.opened(), diagnosis)),
                known ? "(from the database)\n" : "");
   if (options.json) write_output(*options.json, diagnosis_json(diagnosis));
   if (!options.out.empty()) {
     make_output_folder(options.out);
-    const std::string title = fmt::format("{} · revision {}", bench.rig().experiment.name, bench.revision().number);
+    const std::string title =
+        fmt::format("{} · revision {}", workflow.opened().experiment.name, workflow.revision().number);
     draw_diagnosis(diagnosis, title, options.out);
     if (!options.quiet) fmt::print(stderr, "pictures are in {}\n", options.out.string());
   }
   if (diagnosis.stopped) throw TimeIsUp(stopped_by_time_limit() + ". " + diagnosis.stopped->next);
-  bench.ledger().done();
+  workflow.recorder().done();
 }
 
 }  // namespace lacuna

@@ -35,8 +35,8 @@ std::string held_line(const ModelSection& model) {
 
 }  // namespace
 
-std::string export_comment(const Rig& rig, int revision, const FitResult& fit) {
-  std::string text = fmt::format("Identified by Lacuna: {}, revision {}\n", rig.experiment.name, revision);
+std::string export_comment(const OpenExperiment& opened, int revision, const FitResult& fit) {
+  std::string text = fmt::format("Identified by Lacuna: {}, revision {}\n", opened.experiment.name, revision);
   for (const FittedValue& value : fit.values)
     text += fmt::format("{} = {} ({})\n", value.address, format_quantity(value.value, value.unit, kDigits),
                         interval_of(value));
@@ -62,16 +62,16 @@ std::string exported_model_toml(const std::string& comment, const std::filesyste
   return text;
 }
 
-Rig rig_of_revision(const CommonOptions& options, Rig now, int revision) {
+OpenExperiment experiment_of_revision(const CommonOptions& options, OpenExperiment now, int revision) {
   RevisionRecord record;
   {
-    Ledger ledger(options, now, options.seed.value_or(1), 1);
-    const std::optional<StoredRevision> stored = ledger.store().revision(ledger.experiment(), revision);
+    ResultRecorder recorder(options, now, options.seed.value_or(1), 1);
+    const std::optional<StoredRevision> stored = recorder.store().revision(recorder.experiment(), revision);
     if (!stored)
       throw Error(fmt::format("--revision {}: {} has no such revision of {}; to list the revisions: lacuna history",
-                              revision, ledger.file().string(), now.experiment.name));
-    record = ledger.store().revision_record(stored->id);
-    ledger.done();
+                              revision, recorder.file().string(), now.experiment.name));
+    record = recorder.store().revision_record(stored->id);
+    recorder.done();
   }
   ModelSection& model = now.experiment.model;
   model.effects = record.effects;

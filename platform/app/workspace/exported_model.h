@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace/workbench.h"
+#include "app/workspace/experiment_workflow.h"
 #include "evaluation/model/identified_robot.h"
 #include "evaluation/robots/robot_export.h"
 
@@ -10,7 +10,7 @@
 namespace lacuna {
 
 /// The comment at the top of an exported file: experiment, revision, and each fitted value with its interval.
-std::string export_comment(const Rig& rig, int revision, const FitResult& fit);
+std::string export_comment(const OpenExperiment& opened, int revision, const FitResult& fit);
 
 /// The model table of an experiment in which the exported robot predicts what the model does, with `comment` at its
 /// head: the file, values that it has no place for, and effects that no robot has, all fixed.
@@ -20,6 +20,6 @@ std::string exported_model_toml(const std::string& comment, const std::filesyste
 
 /// The rig as it was at an earlier revision of the experiment: with its effects and free values. Throws `Error` where
 /// the database has no such revision, and where the experiment has changed otherwise since.
-Rig rig_of_revision(const CommonOptions& options, Rig now, int revision);
+OpenExperiment experiment_of_revision(const CommonOptions& options, OpenExperiment now, int revision);
 
 }  // namespace lacuna

@@ -29,16 +29,16 @@ void check_files(const CommonOptions& options, const RobotExport& wanted) {
   }
 }
 
-Rig rig_to_export(const CommonOptions& options, std::optional<int> revision) {
-  Rig rig = open_rig(options);
-  return revision ? rig_of_revision(options, std::move(rig), *revision) : std::move(rig);
+OpenExperiment experiment_to_export(const CommonOptions& options, std::optional<int> revision) {
+  OpenExperiment opened = open_experiment(options);
+  return revision ? experiment_of_revision(options, std::move(opened), *revision) : std::move(opened);
 }
 
 /// The number of the model in the experiment's history; an earlier one does not become the current one by being
 /// written.
-int revision_number(std::optional<int> asked, Workbench& bench) {
-  if (!asked) return bench.revision().number;
-  const std::optional<StoredRevision> found = bench.ledger().find(bench.rig());
+int revision_number(std::optional<int> asked, ExperimentWorkflow& workflow) {
+  if (!asked) return workflow.revision().number;
+  const std::optional<StoredRevision> found = workflow.recorder().find(workflow.opened());
   if (found && found->number == *asked) return found->number;
   throw Error(fmt::format(
       "--revision {}: robot, engine or recordings have changed since this revision; restore the files of that time",
@@ -78,12 +78,13 @@ nlohmann::ordered_json exported_json(const MadeRobot& made, const IdentifiedRobo
           {"left_out", made.exported.left_out}};
 }
 
-std::vector<MadeRobot> make_robots(const std::vector<RobotFileToWrite>& files, const Rig& rig,
+std::vector<MadeRobot> make_robots(const std::vector<RobotFileToWrite>& files, const OpenExperiment& opened,
                                    const IdentifiedRobot& identified, const std::string& comment) {
-  const ModelSection& model = rig.experiment.model;
+  const ModelSection& model = opened.experiment.model;
   std::vector<MadeRobot> robots;
   for (const RobotFileToWrite& wanted : files) {
-    ExportedRobot exported = export_robot(identified.robot, wanted.format, model, comment, wanted.file, *rig.catalog);
+    ExportedRobot exported =
+        export_robot(identified.robot, wanted.format, model, comment, wanted.file, *opened.catalog);
     std::string beside =
         exported_model_toml(comment, wanted.file, model, identified, exported, wanted.format != "toml");
     robots.push_back({wanted, std::move(exported), std::move(beside)});
@@ -95,14 +96,15 @@ std::vector<MadeRobot> make_robots(const std::vector<RobotFileToWrite>& files, c
 
 void export_robots(const CommonOptions& options, const RobotExport& wanted) {
   check_files(options, wanted);
-  Workbench bench(options, rig_to_export(options, wanted.revision),
-                  wanted.revision ? Entry::with_its_file : Entry::at_once);
-  const int revision = revision_number(wanted.revision, bench);
-  const Rig& rig = bench.rig();
-  const FitResult fit = rig.definition.free.empty() ? as_written(rig.definition) : bench.fit_model().result;
-  bench.ledger().done();
-  const IdentifiedRobot identified = identified_robot(rig.definition, fit.parameters());
-  const std::vector<MadeRobot> robots = make_robots(wanted.files, rig, identified, export_comment(rig, revision, fit));
+  ExperimentWorkflow workflow(options, experiment_to_export(options, wanted.revision),
+                              wanted.revision ? Entry::with_its_file : Entry::at_once);
+  const int revision = revision_number(wanted.revision, workflow);
+  const OpenExperiment& opened = workflow.opened();
+  const FitResult fit = opened.definition.free.empty() ? as_written(opened.definition) : workflow.fit_model().result;
+  workflow.recorder().done();
+  const IdentifiedRobot identified = identified_robot(opened.definition, fit.parameters());
+  const std::vector<MadeRobot> robots =
+      make_robots(wanted.files, opened, identified, export_comment(opened, revision, fit));
   nlohmann::ordered_json written = nlohmann::ordered_json::array();
   for (const MadeRobot& made : robots) {
     write_output(made.wanted.file.string(), made.exported.text, wanted.existing);
@@ -110,7 +112,8 @@ void export_robots(const CommonOptions& options, const RobotExport& wanted) {
     written.push_back(exported_json(made, identified));
     if (!takes_standard_output(options.json)) print_exported(made, identified);
   }
-  const nlohmann::ordered_json all = {{"experiment", rig.experiment.name}, {"revision", revision}, {"files", written}};
+  const nlohmann::ordered_json all = {
+      {"experiment", opened.experiment.name}, {"revision", revision}, {"files", written}};
   if (options.json) write_output(*options.json, all.dump(2) + "\n", wanted.existing);
 }
 

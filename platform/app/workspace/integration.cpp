@@ -38,23 +38,24 @@ std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
 
 }  // namespace
 
-std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads, TrialsFor trials_for) {
-  EngineSettings& engine = rig.definition.engine;
-  if (substeps_decided(rig.experiment)) return {};
+std::string settle_substeps(OpenExperiment& opened, const std::vector<Trial>& trials, int threads,
+                            TrialsFor trials_for) {
+  EngineSettings& engine = opened.definition.engine;
+  if (substeps_decided(opened.experiment)) return {};
   if (engine.engine == "ode") {
-    decide_substeps(rig.experiment, 1);
-    engine.substeps = rig.experiment.engine.substeps;
+    decide_substeps(opened.experiment, 1);
+    engine.substeps = opened.experiment.engine.substeps;
     return {};
   }
   if (trials.empty()) return {};
-  const std::vector<double> values = rig.definition.start_values();
+  const std::vector<double> values = opened.definition.start_values();
   if (engine.substeps > 0 && engine.substeps < kFarMore) return {};
-  const Substeps found = sufficient_substeps(rig.definition, trials, values, threads > 0 ? threads : default_threads(),
-                                             trials_for, rig.experiment.fit);
-  if (rig.experiment.engine.substeps == 0) {
-    decide_substeps(rig.experiment, found.count);
+  const Substeps found = sufficient_substeps(
+      opened.definition, trials, values, threads > 0 ? threads : default_threads(), trials_for, opened.experiment.fit);
+  if (opened.experiment.engine.substeps == 0) {
+    decide_substeps(opened.experiment, found.count);
     engine.substeps = found.count;
-    rig.model = compile(rig.definition.structure, engine);
+    opened.model = compile(opened.definition.structure, engine);
     return sentence_of(engine, found);
   }
   if (!found.enough || engine.substeps < kFarMore * found.count) return {};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "fitting/substeps.h"
 
 #include <string>
@@ -12,7 +12,7 @@ namespace lacuna {
 /// runs of these trials need and, where values are fitted to them, as keep these values' bias small. Nothing changes
 /// where that was decided before. Returns what the user is told, a sentence: what was found, or that what the file says
 /// is far more than is needed; empty: nothing. `threads`: 0 is all. Throws `Interrupted`.
-std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads,
+std::string settle_substeps(OpenExperiment& opened, const std::vector<Trial>& trials, int threads,
                             TrialsFor trials_for = TrialsFor::fit);
 
 }  // namespace lacuna

@@ -14,15 +14,15 @@
 namespace lacuna {
 namespace {
 
-FitResult fit_of(Workbench& bench) {
-  const Rig& rig = bench.rig();
-  const bool is_fitted = !rig.definition.free.empty() && rig.count(false) > 0;
-  return is_fitted ? bench.fit_model().result : as_written(rig.definition);
+FitResult fit_of(ExperimentWorkflow& workflow) {
+  const OpenExperiment& opened = workflow.opened();
+  const bool is_fitted = !opened.definition.free.empty() && opened.count(false) > 0;
+  return is_fitted ? workflow.fit_model().result : as_written(opened.definition);
 }
 
 /// The trial that is meant; null: a new test is. Throws `BadInput` for one that is held out.
-const Trial* named_trial(const Rig& rig, const AskedTest& asked) {
-  for (const Trial& trial : rig.trials) {
+const Trial* named_trial(const OpenExperiment& opened, const AskedTest& asked) {
+  for (const Trial& trial : opened.trials) {
     if (trial.name != asked.test) continue;
     if (trial.held_out)
       throw_problem(
@@ -38,14 +38,15 @@ const Trial* named_trial(const Rig& rig, const AskedTest& asked) {
   return nullptr;
 }
 
-void add_trials(Workbench& bench, const FitResult& fit, const std::vector<Trial>& trials, ModelPrediction& prediction) {
-  const Rig& rig = bench.rig();
-  const Comparison compared = compare({.definition = rig.definition,
-                                       .model = *rig.model,
+void add_trials(ExperimentWorkflow& workflow, const FitResult& fit, const std::vector<Trial>& trials,
+                ModelPrediction& prediction) {
+  const OpenExperiment& opened = workflow.opened();
+  const Comparison compared = compare({.definition = opened.definition,
+                                       .model = *opened.model,
                                        .trials = trials,
-                                       .noise = rig.experiment.noise,
+                                       .noise = opened.experiment.noise,
                                        .values = fit.parameters(),
-                                       .threads = bench.threads()});
+                                       .threads = workflow.threads()});
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const TrialComparison& one = compared.trials[i];
     if (one.valid) {
@@ -56,53 +57,55 @@ void add_trials(Workbench& bench, const FitResult& fit, const std::vector<Trial>
   }
 }
 
-void add_test(const Workbench& bench, const FitResult& fit, const AskedTest& asked, ModelPrediction& prediction) {
-  const Rig& rig = bench.rig();
-  const Experiment& experiment = rig.experiment;
-  const KnownSetup setup = asked_setup(asked, experiment, rig.definition);
-  const TestSpace space = test_space(rig.definition.structure.robot, experiment.engine, 0.0);
-  Test test = read_test(asked, space, *rig.catalog);
+void add_test(const ExperimentWorkflow& workflow, const FitResult& fit, const AskedTest& asked,
+              ModelPrediction& prediction) {
+  const OpenExperiment& opened = workflow.opened();
+  const Experiment& experiment = opened.experiment;
+  const KnownSetup setup = asked_setup(asked, experiment, opened.definition);
+  const TestSpace space = test_space(opened.definition.structure.robot, experiment.engine, 0.0);
+  Test test = read_test(asked, space, *opened.catalog);
   test.setup = setup.name();
-  if (any_is_set(known_setups(rig.definition, experiment.target.recording))) prediction.setup = setup;
+  if (any_is_set(known_setups(opened.definition, experiment.target.recording))) prediction.setup = setup;
   prediction.setup_is_asked = asked.setup.has_value();
   check_step_count(experiment, test.duration, "of the test");
   const std::vector<double> times = sample_times(experiment.engine, test.duration);
-  const TestPredictor predictor(*rig.model, times, 1, &rig.definition);
+  const TestPredictor predictor(*opened.model, times, 1, &opened.definition);
   TestPrediction predicted;
   std::uint64_t steps = 0;
   std::string reason;
   if (predictor.predict({.values = fit.parameters()}, test, 0, predicted, steps, reason))
     prediction.parts.push_back(
         {asked.test, Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Eigen::Index>(times.size())),
-         rig.model->channels(), predicted.sensors.samples});
+         opened.model->channels(), predicted.sensors.samples});
   else
     prediction.failed.push_back("the model cannot carry out the test: " + reason);
 }
 
 }  // namespace
 
-ModelPrediction predict_by_one_model(Workbench& bench, const AskedTest& asked) {
-  const Rig& rig = bench.rig();
-  const Trial* trial = named_trial(rig, asked);
-  if (asked.test.empty() && rig.count(false) == 0)
-    throw_problem({rig.experiment.file.string()}, fmt::format("{} has no fit trial to simulate. Say which test: --test "
-                                                              "\"multisine ACTUATOR ...\", written as for lacuna trial",
-                                                              rig.experiment.name));
-  const FitResult fit = fit_of(bench);
-  ModelPrediction prediction{.experiment = rig.experiment.name,
-                             .revision = bench.revision().number,
-                             .fitted_values = rig.count(false) > 0 ? rig.definition.free.size() : 0,
+ModelPrediction predict_by_one_model(ExperimentWorkflow& workflow, const AskedTest& asked) {
+  const OpenExperiment& opened = workflow.opened();
+  const Trial* trial = named_trial(opened, asked);
+  if (asked.test.empty() && opened.count(false) == 0)
+    throw_problem({opened.experiment.file.string()},
+                  fmt::format("{} has no fit trial to simulate. Say which test: --test "
+                              "\"multisine ACTUATOR ...\", written as for lacuna trial",
+                              opened.experiment.name));
+  const FitResult fit = fit_of(workflow);
+  ModelPrediction prediction{.experiment = opened.experiment.name,
+                             .revision = workflow.revision().number,
+                             .fitted_values = opened.count(false) > 0 ? opened.definition.free.size() : 0,
                              .test = asked.test,
                              .setup = {},
-                             .held_out = rig.count(true),
+                             .held_out = opened.count(true),
                              .parts = {},
                              .failed = {}};
   if (trial)
-    add_trials(bench, fit, {*trial}, prediction);
+    add_trials(workflow, fit, {*trial}, prediction);
   else if (asked.test.empty())
-    add_trials(bench, fit, rig.fit_trials(), prediction);
+    add_trials(workflow, fit, opened.fit_trials(), prediction);
   else
-    add_test(bench, fit, asked, prediction);
+    add_test(workflow, fit, asked, prediction);
   if (prediction.parts.empty()) throw Error(fmt::format("{}", prediction.failed.front()));
   return prediction;
 }

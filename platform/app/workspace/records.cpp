@@ -10,15 +10,15 @@
 
 namespace lacuna {
 
-RevisionRecord revision_record(const Rig& rig) {
+RevisionRecord revision_record(const OpenExperiment& opened) {
   RevisionRecord record;
-  record.robot = rig.definition.structure.robot.name;
-  record.robot_text = canonical_text(rig.definition.structure.robot);
-  for (const FreeValue& value : rig.definition.free)
+  record.robot = opened.definition.structure.robot.name;
+  record.robot_text = canonical_text(opened.definition.structure.robot);
+  for (const FreeValue& value : opened.definition.free)
     record.free.push_back({value.address, value.unit, value.lower, value.upper, value.start});
-  record.effects = rig.definition.effects;
-  record.engine = rig.definition.engine;
-  record.fit_data_digest = digest_of_trials(rig.trials);
+  record.effects = opened.definition.effects;
+  record.engine = opened.definition.engine;
+  record.fit_data_digest = digest_of_trials(opened.trials);
   return record;
 }
 

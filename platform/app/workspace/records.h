@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "answer/diagnosis.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
@@ -13,7 +13,7 @@ namespace lacuna {
 
 /// What the rooms compute, as the records that storage keeps, and back.
 
-RevisionRecord revision_record(const Rig& rig);
+RevisionRecord revision_record(const OpenExperiment& opened);
 /// `definition`: tells the units of what the trial's setup sets.
 TrialRecord trial_record(const Trial& trial, const ModelDefinition& definition);
 FitRecord fit_record(const FitResult& fit, const FitSection& options, const std::string& settings);

@@ -18,15 +18,15 @@ constexpr double kSameFactor = 0.01;
 
 bool is_near(double a, double b) { return std::abs(a / b - 1.0) < kSameFactor; }
 
-const ColumnMapping* mapping_of(const Rig& rig, const std::string& channel) {
-  const std::vector<ColumnMapping>& sensors = rig.experiment.target.recording.sensors;
+const ColumnMapping* mapping_of(const OpenExperiment& opened, const std::string& channel) {
+  const std::vector<ColumnMapping>& sensors = opened.experiment.target.recording.sensors;
   const auto found = std::find_if(sensors.begin(), sensors.end(),
                                   [&](const ColumnMapping& mapping) { return mapping.channel == channel; });
   return found == sensors.end() ? nullptr : &*found;
 }
 
-std::optional<ReadingScale> scale_of(const Rig& rig) {
-  return reading_scale({rig.definition, *rig.model, rig.trials, rig.definition.start_values()});
+std::optional<ReadingScale> scale_of(const OpenExperiment& opened) {
+  return reading_scale({opened.definition, *opened.model, opened.trials, opened.definition.start_values()});
 }
 
 struct Correction {
@@ -34,10 +34,10 @@ struct Correction {
   SourceLocation location;  ///< of the first column
 };
 
-Correction correction_of(const Rig& rig, const ReadingScale& scale) {
+Correction correction_of(const OpenExperiment& opened, const ReadingScale& scale) {
   Correction correction;
   for (const std::string& channel : scale.channels)
-    if (const ColumnMapping* mapping = mapping_of(rig, channel)) {
+    if (const ColumnMapping* mapping = mapping_of(opened, channel)) {
       if (correction.lines.empty()) correction.location = mapping->location;
       correction.lines += fmt::format("{}{} = {{ ..., {} }}", correction.lines.empty() ? "" : ", ", channel,
                                       corrected_key(*mapping, scale.factor));
@@ -63,18 +63,18 @@ std::string corrected_key(const ColumnMapping& mapping, double factor) {
   return fmt::format("gain = \"{:.6g} {}\"", number, mapping.gain_unit);
 }
 
-std::optional<ReadingNote> scale_note(const Rig& rig) {
-  const std::optional<ReadingScale> scale = scale_of(rig);
+std::optional<ReadingNote> scale_note(const OpenExperiment& opened) {
+  const std::optional<ReadingScale> scale = scale_of(opened);
   if (!scale) return std::nullopt;
-  const Correction correction = correction_of(rig, *scale);
+  const Correction correction = correction_of(opened, *scale);
   return ReadingNote{
       correction.location,
       fmt::format("{}; in that case write under [target.sensors]: {}", to_string(*scale), correction.lines), true};
 }
 
-std::string scale_correction(const Rig& rig) {
-  const std::optional<ReadingScale> scale = scale_of(rig);
-  return scale ? correction_of(rig, *scale).lines : "";
+std::string scale_correction(const OpenExperiment& opened) {
+  const std::optional<ReadingScale> scale = scale_of(opened);
+  return scale ? correction_of(opened, *scale).lines : "";
 }
 
 }  // namespace lacuna

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace/rig.h"
+#include "app/workspace/open_experiment.h"
 #include "measurement/recording.h"
 
 #include <optional>
@@ -10,11 +10,11 @@ namespace lacuna {
 /// Readings of recorded trials that are a simple factor too large or too small for the known forces
 /// (data_checks/reading_scale.h), at the place of their column and with the line to type. Nothing where the
 /// recordings say nothing of it, or the trials do not suit the model.
-std::optional<ReadingNote> scale_note(const Rig& rig);
+std::optional<ReadingNote> scale_note(const OpenExperiment& opened);
 
 /// The line to type under [target.sensors] for such readings, as in `angle = { ..., counts_per_turn = 1024 }`; empty:
 /// none.
-std::string scale_correction(const Rig& rig);
+std::string scale_correction(const OpenExperiment& opened);
 
 /// What to write into a column's table so that its channel is divided by `factor`: `counts_per_turn = 1024`,
 /// `unit = "deg"`, `gain = 4`.

@@ -38,12 +38,12 @@ struct TargetSimulator::Desk {
 TargetSimulator::TargetSimulator(const ModelDefinition& definition, std::vector<double> hidden,
                                  std::uint64_t noise_seed)
     : model_(compile(definition.structure, definition.engine)),
-      desk_(std::make_unique<Desk>()),
+      simulator_(std::make_unique<Desk>()),
       engine_(definition.engine),
       robot_(definition.structure.robot),
       hidden_(std::move(hidden)),
       noise_seed_(noise_seed) {
-  desk_->workspace = model_->make_workspace();
+  simulator_->workspace = model_->make_workspace();
 }
 
 TargetSimulator::~TargetSimulator() = default;
@@ -58,8 +58,8 @@ Trial TargetSimulator::simulate(const Test& test) const {
   options.imperfections = SensorImperfections{RandomStream(std::array<std::uint64_t, 2>{noise_seed_, number_})()};
   options.record_commands = true;
   options.record_centre_of_mass = true;
-  SimulationResult& result = desk_->result;
-  model_->simulate(hidden_, test, options, *desk_->workspace, result);
+  SimulationResult& result = simulator_->result;
+  model_->simulate(hidden_, test, options, *simulator_->workspace, result);
   if (result.ending != Ending::completed) throw Error("the target cannot carry out the test: " + result.reason);
 
   Trial trial;

@@ -29,7 +29,7 @@ class TargetSimulator : public Simulator {
  private:
   struct Desk;
   std::unique_ptr<CompiledModel> model_;
-  std::unique_ptr<Desk> desk_;
+  std::unique_ptr<Desk> simulator_;
   EngineSettings engine_;
   RobotSpec robot_;
   std::vector<double> hidden_;

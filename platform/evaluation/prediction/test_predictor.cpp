@@ -9,7 +9,7 @@ namespace lacuna {
 
 /// Workspace of one thread.
 struct TestPredictor::Desk {
-  CandidateDesk candidate;
+  CandidateSimulator candidate;
   SimulationOptions options = {};
   SimulationResult result = {};
 };
@@ -18,12 +18,12 @@ TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> tim
                              const ModelDefinition* definition, std::size_t models, double start)
     : times_(std::move(times)) {
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
-    auto desk = std::make_unique<Desk>(Desk{CandidateDesk(model, definition, models)});
-    desk->options.start_time = start;
-    desk->options.end_time = times_.back();
-    desk->options.output_times = times_;
-    desk->options.record_centre_of_mass = true;
-    desks_.push_back(std::move(desk));
+    auto simulator = std::make_unique<Desk>(Desk{CandidateSimulator(model, definition, models)});
+    simulator->options.start_time = start;
+    simulator->options.end_time = times_.back();
+    simulator->options.output_times = times_;
+    simulator->options.record_centre_of_mass = true;
+    simulators_.push_back(std::move(simulator));
   }
 }
 
@@ -31,20 +31,20 @@ TestPredictor::~TestPredictor() = default;
 
 bool TestPredictor::predict(const ModelProposal& candidate, const Test& test, int worker, TestPrediction& prediction,
                             std::uint64_t& steps, std::string& reason) const {
-  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
-  desk.options.start = test.start;
+  Desk& simulator = *simulators_[static_cast<std::size_t>(worker)];
+  simulator.options.start = test.start;
   try {
-    desk.candidate.take(candidate);
+    simulator.candidate.take(candidate);
   } catch (const Error& error) {
     reason = error.what();
     return false;
   }
-  desk.candidate.simulate(test, desk.options, desk.result);
-  steps += desk.result.steps;
-  std::swap(prediction.sensors, desk.result.readings);
-  std::swap(prediction.centre_of_mass, desk.result.centre_of_mass);
-  if (desk.result.ending == Ending::completed) return true;
-  reason = desk.result.reason;
+  simulator.candidate.simulate(test, simulator.options, simulator.result);
+  steps += simulator.result.steps;
+  std::swap(prediction.sensors, simulator.result.readings);
+  std::swap(prediction.centre_of_mass, simulator.result.centre_of_mass);
+  if (simulator.result.ending == Ending::completed) return true;
+  reason = simulator.result.reason;
   return false;
 }
 

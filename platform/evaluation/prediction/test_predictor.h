@@ -2,7 +2,7 @@
 
 #include <lacuna/test_fitness.h>
 
-#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/scoring/candidate_simulator.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ class TestPredictor {
                 const ModelDefinition* definition = nullptr, std::size_t models = 1, double start = 0.0);
   ~TestPredictor();
 
-  int workers() const { return static_cast<int>(desks_.size()); }
+  int workers() const { return static_cast<int>(simulators_.size()); }
   /// Fills `prediction`, reusing its memory, and adds the steps taken to `steps`. False: the model cannot carry the
   /// test out; `reason` says why.
   bool predict(const ModelProposal& candidate, const Test& test, int worker, TestPrediction& prediction,
@@ -32,7 +32,7 @@ class TestPredictor {
  private:
   struct Desk;
   std::vector<double> times_;
-  std::vector<std::unique_ptr<Desk>> desks_;
+  std::vector<std::unique_ptr<Desk>> simulators_;
 };
 
 }  // namespace lacuna

@@ -71,9 +71,9 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
     tests_.push_back(std::move(test));
   }
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
-    desks_.push_back(std::make_unique<Desk>());
-    desks_.back()->workspace = model_.make_workspace();
-    desks_.back()->options.record_lateness = true;
+    simulators_.push_back(std::make_unique<Desk>());
+    simulators_.back()->workspace = model_.make_workspace();
+    simulators_.back()->options.record_lateness = true;
   }
 }
 
@@ -91,7 +91,7 @@ TrialPredictor::Past TrialPredictor::past_of(Trial& trial) const {
   return at_rest ? Past::held_still : Past::unknown;
 }
 
-const Test& TrialPredictor::test_for(Desk& desk, const Stretch& stretch, std::span<const double> values,
+const Test& TrialPredictor::test_for(Desk& simulator, const Stretch& stretch, std::span<const double> values,
                                      double lateness) const {
   const Trial& trial = trials_[stretch.trial];
   const Test& test = tests_[stretch.trial];
@@ -101,24 +101,24 @@ const Test& TrialPredictor::test_for(Desk& desk, const Stretch& stretch, std::sp
                           (model_.has_memory() || timing_ == Timing::fitted) &&
                           times(stretch.first) - times(0) <= kLongestDelay;
   if (recorded == nullptr || (lateness == 0.0 && !held_still)) return test;
-  if (desk.trial != stretch.trial) desk.own = test;
-  desk.trial = stretch.trial;
-  auto& own = std::get<CommandSeries>(desk.own.drive);
+  if (simulator.trial != stretch.trial) simulator.own = test;
+  simulator.trial = stretch.trial;
+  auto& own = std::get<CommandSeries>(simulator.own.drive);
   own.series.times.array() = recorded->series.times.array() + lateness * command_interval(trial);
-  if (!held_still) return desk.own;
+  if (!held_still) return simulator.own;
   std::vector<double> positions;
   for (const InitialValue& value : trial.initial) positions.push_back(value.position);
   own.before = holding_commands(model_, values, recorded->series.channels, recorded->before, positions, test.setup,
-                                *desk.workspace)
+                                *simulator.workspace)
                    .value_or(recorded->before);
-  return desk.own;
+  return simulator.own;
 }
 
 void TrialPredictor::predict(const Stretch& stretch, std::span<const double> values, const StartState& start,
                              int worker, Prediction& prediction, const WarmUp* warm_up) const {
-  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
+  Desk& simulator = *simulators_[static_cast<std::size_t>(worker)];
   const Eigen::VectorXd& times = trials_[stretch.trial].measured.times;
-  SimulationOptions& options = desk.options;
+  SimulationOptions& options = simulator.options;
   options.start = start;
   options.start_time = times(stretch.first);
   options.restart = nullptr;
@@ -133,19 +133,19 @@ void TrialPredictor::predict(const Stretch& stretch, std::span<const double> val
   options.output_times = {times.data() + stretch.first, static_cast<std::size_t>(stretch.size())};
   const bool timed = timing_ == Timing::fitted;
   const std::span<const double> own = timed ? values.first(values.size() - 1) : values;
-  const Test& test = test_for(desk, stretch, own, timed ? values.back() : 0.0);
-  model_.simulate(own, test, options, *desk.workspace, desk.result);
+  const Test& test = test_for(simulator, stretch, own, timed ? values.back() : 0.0);
+  model_.simulate(own, test, options, *simulator.workspace, simulator.result);
 
-  prediction.valid = desk.result.ending == Ending::completed;
-  prediction.reason = desk.result.reason;
+  prediction.valid = simulator.result.ending == Ending::completed;
+  prediction.reason = simulator.result.reason;
   const std::vector<Eigen::Index>& map = map_[stretch.trial];
   prediction.samples.resize(stretch.size(), static_cast<Eigen::Index>(map.size()));
   if (!prediction.valid) return;
   prediction.lateness.resize(map.size());
   for (std::size_t channel = 0; channel < map.size(); ++channel) {
-    prediction.samples.col(static_cast<Eigen::Index>(channel)) = desk.result.readings.samples.col(map[channel]);
+    prediction.samples.col(static_cast<Eigen::Index>(channel)) = simulator.result.readings.samples.col(map[channel]);
     prediction.lateness[channel] =
-        desk.result.lateness.empty() ? 0.0 : desk.result.lateness[static_cast<std::size_t>(map[channel])];
+        simulator.result.lateness.empty() ? 0.0 : simulator.result.lateness[static_cast<std::size_t>(map[channel])];
   }
   align_orientations(stretch, prediction.samples);
   if (!prediction.samples.allFinite()) {

@@ -60,7 +60,7 @@ class TrialPredictor {
 
   const CompiledModel& model() const { return model_; }
   const std::vector<Trial>& trials() const { return trials_; }
-  int workers() const { return static_cast<int>(desks_.size()); }
+  int workers() const { return static_cast<int>(simulators_.size()); }
   /// All samples of a trial.
   Stretch whole(std::size_t trial) const { return {trial, 0, trials_[trial].measured.times.size()}; }
 
@@ -108,7 +108,7 @@ class TrialPredictor {
   void align_orientations(const Stretch& stretch, TimeSeries::Samples& samples) const;
   /// The trial's test with its commands delayed, in command intervals, and before them the commands that hold the robot
   /// still.
-  const Test& test_for(Desk& desk, const Stretch& stretch, std::span<const double> values, double lateness) const;
+  const Test& test_for(Desk& simulator, const Stretch& stretch, std::span<const double> values, double lateness) const;
 
   const CompiledModel& model_;
   std::vector<Trial> trials_;
@@ -117,7 +117,7 @@ class TrialPredictor {
   std::vector<Test> tests_;                              ///< one per trial: its commands
   std::vector<std::vector<Eigen::Index>> map_;           ///< per trial: measured channel → model channel
   std::vector<std::vector<Eigen::Index>> orientations_;  ///< per trial: first measured channel of each quaternion
-  std::vector<std::unique_ptr<Desk>> desks_;
+  std::vector<std::unique_ptr<Desk>> simulators_;
 };
 
 }  // namespace lacuna

@@ -43,7 +43,7 @@ StartState start_of(const Trial& trial) {
 
 /// Workspace of one thread.
 struct ModelScorer::Desk {
-  CandidateDesk candidate;
+  CandidateSimulator candidate;
   std::vector<SimulationOptions> options = {};  // per trial
   SimulationResult result = {};
   std::unique_ptr<ScoreAccumulator> total = {};
@@ -108,19 +108,19 @@ ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> tr
                         [&] { return metric_->accumulator(shape_of(of), metric_.parameters); });
   };
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
-    auto desk = std::make_unique<Desk>(Desk{CandidateDesk(model, definition)});
-    desk->total = accumulator(trials_);
+    auto simulator = std::make_unique<Desk>(Desk{CandidateSimulator(model, definition)});
+    simulator->total = accumulator(trials_);
     for (const ScoredTrial& scored : trials_) {
-      desk->trials.push_back(accumulator({&scored, 1}));
-      SimulationOptions& options = desk->options.emplace_back();
+      simulator->trials.push_back(accumulator({&scored, 1}));
+      SimulationOptions& options = simulator->options.emplace_back();
       const Eigen::VectorXd& times = scored.trial.measured.times;
       options.start = start_of(scored.trial);
       options.start_time = times(0);
       options.end_time = times(times.size() - 1);
       options.output_times = {times.data(), static_cast<std::size_t>(times.size())};
     }
-    if (!trials_.empty()) desk->predicted.resize(maps_.front().size());
-    desks_.push_back(std::move(desk));
+    if (!trials_.empty()) simulator->predicted.resize(maps_.front().size());
+    simulators_.push_back(std::move(simulator));
   }
 }
 
@@ -128,36 +128,36 @@ ModelScorer::~ModelScorer() = default;
 
 void ModelScorer::score(const ModelProposal& candidate, std::optional<double> bar, int worker,
                         ModelScore& result) const {
-  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
+  Desk& simulator = *simulators_[static_cast<std::size_t>(worker)];
   result.trials.clear();
   result.kind = ScoreKind::full;
   result.reason.clear();
   result.steps = 0;
   result.values.clear();
-  desk.reads_finite = true;
-  guarded_call(metric_.origin, "reset", [&] { desk.total->reset(); });
+  simulator.reads_finite = true;
+  guarded_call(metric_.origin, "reset", [&] { simulator.total->reset(); });
   if (lags_.empty())
-    score_trials(candidate, bar.value_or(kWorst), desk, result);
+    score_trials(candidate, bar.value_or(kWorst), simulator, result);
   else
-    score_with_lags(candidate, bar.value_or(kWorst), desk, result);
+    score_with_lags(candidate, bar.value_or(kWorst), simulator, result);
   switch (result.kind) {
     case ScoreKind::full:
-      result.total = guarded_call(metric_.origin, "score", [&] { return desk.total->score(); });
+      result.total = guarded_call(metric_.origin, "score", [&] { return simulator.total->score(); });
       break;
     case ScoreKind::abandoned:
-      result.total = guarded_call(metric_.origin, "bound", [&] { return desk.total->bound(); });
+      result.total = guarded_call(metric_.origin, "bound", [&] { return simulator.total->bound(); });
       break;
     case ScoreKind::invalid: result.total = kWorst; break;
   }
   if (result.kind == ScoreKind::invalid || std::isfinite(result.total)) return;
   result.kind = ScoreKind::invalid;
-  result.reason = why_not_finite(desk, result.total);
+  result.reason = why_not_finite(simulator, result.total);
   result.total = kWorst;
 }
 
 /// The metric's score, or its bound, of a candidate all of whose simulations came to their end.
-std::string ModelScorer::why_not_finite(const Desk& desk, double score) const {
-  if (!desk.reads_finite) return "the model predicts readings that are not finite";
+std::string ModelScorer::why_not_finite(const Desk& simulator, double score) const {
+  if (!simulator.reads_finite) return "the model predicts readings that are not finite";
   const bool measured = std::any_of(trials_.begin(), trials_.end(), [](const ScoredTrial& scored) {
     return scored.trial.measured.samples.bottomRows(static_cast<Eigen::Index>(scored_samples(scored)))
         .array()
@@ -170,28 +170,29 @@ std::string ModelScorer::why_not_finite(const Desk& desk, double score) const {
                      std::isnan(score) ? kFaultOfPlugin : ": the error is too large for it, or the metric is faulty");
 }
 
-void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
+void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk& simulator, ModelScore& result) const {
   try {
-    desk.candidate.take(candidate);
+    simulator.candidate.take(candidate);
   } catch (const Error& error) {
     result.kind = ScoreKind::invalid;
     result.reason = error.what();
   }
-  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) score_trial(t, bar, desk, result);
+  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t)
+    score_trial(t, bar, simulator, result);
 }
 
-void ModelScorer::score_trial(std::size_t t, double bar, Desk& desk, ModelScore& result) const {
-  ScoreAccumulator& of_trial = *desk.trials[t];
+void ModelScorer::score_trial(std::size_t t, double bar, Desk& simulator, ModelScore& result) const {
+  ScoreAccumulator& of_trial = *simulator.trials[t];
   guarded_call(metric_.origin, "reset", [&] { of_trial.reset(); });
-  Tally tally{trials_[t], maps_[t], metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
-  SimulationOptions& options = desk.options[t];
+  Tally tally{trials_[t], maps_[t], metric_.origin, *simulator.total, of_trial, simulator.predicted, bar, {}};
+  SimulationOptions& options = simulator.options[t];
   options.stop_when = [&tally](std::size_t sample, std::span<const double> readings) {
     return tally.take(sample, readings);
   };
-  desk.candidate.simulate(trials_[t].test, options, desk.result);
-  result.steps += desk.result.steps;
-  if (desk.result.ending == Ending::invalid && tally.fault.empty()) tally.fault = desk.result.reason;
-  desk.reads_finite = desk.reads_finite && tally.reads_finite;
+  simulator.candidate.simulate(trials_[t].test, options, simulator.result);
+  result.steps += simulator.result.steps;
+  if (simulator.result.ending == Ending::invalid && tally.fault.empty()) tally.fault = simulator.result.reason;
+  simulator.reads_finite = simulator.reads_finite && tally.reads_finite;
   end_trial(t, tally, result);
 }
 
@@ -208,46 +209,47 @@ void ModelScorer::end_trial(std::size_t t, const Tally& tally, ModelScore& resul
 }
 
 /// All trials are simulated first, because a delay is common to all of them.
-void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
-  desk.unlagged = candidate;
-  lags_.clear_delays(desk.unlagged.values);
-  if (!read_trials(desk.unlagged, desk, result)) return;
+void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, Desk& simulator,
+                                  ModelScore& result) const {
+  simulator.unlagged = candidate;
+  lags_.clear_delays(simulator.unlagged.values);
+  if (!read_trials(simulator.unlagged, simulator, result)) return;
   result.values = candidate.values;
-  lags_.fit(desk.readings, result.values);
+  lags_.fit(simulator.readings, result.values);
   for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) {
-    ScoreAccumulator& of_trial = *desk.trials[t];
+    ScoreAccumulator& of_trial = *simulator.trials[t];
     guarded_call(metric_.origin, "reset", [&] { of_trial.reset(); });
-    Tally tally{trials_[t], {}, metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
-    const TimeSeries::Samples& readings = desk.readings[t];
+    Tally tally{trials_[t], {}, metric_.origin, *simulator.total, of_trial, simulator.predicted, bar, {}};
+    const TimeSeries::Samples& readings = simulator.readings[t];
     for (Eigen::Index row = trials_[t].first_sample; row < readings.rows(); ++row)
       if (tally.add(row, {readings.data() + row * readings.cols(), static_cast<std::size_t>(readings.cols())})) break;
-    desk.reads_finite = desk.reads_finite && tally.reads_finite;
+    simulator.reads_finite = simulator.reads_finite && tally.reads_finite;
     end_trial(t, tally, result);
   }
 }
 
-bool ModelScorer::read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const {
-  desk.readings.resize(trials_.size());
+bool ModelScorer::read_trials(const ModelProposal& candidate, Desk& simulator, ModelScore& result) const {
+  simulator.readings.resize(trials_.size());
   try {
-    desk.candidate.take(candidate);
+    simulator.candidate.take(candidate);
   } catch (const Error& error) {
     result.kind = ScoreKind::invalid;
     result.reason = error.what();
     return false;
   }
   for (std::size_t t = 0; t < trials_.size(); ++t) {
-    desk.options[t].stop_when = nullptr;
-    desk.candidate.simulate(trials_[t].test, desk.options[t], desk.result);
-    result.steps += desk.result.steps;
-    if (desk.result.ending == Ending::invalid) {
+    simulator.options[t].stop_when = nullptr;
+    simulator.candidate.simulate(trials_[t].test, simulator.options[t], simulator.result);
+    result.steps += simulator.result.steps;
+    if (simulator.result.ending == Ending::invalid) {
       result.kind = ScoreKind::invalid;
-      result.reason = "trial " + std::to_string(t) + ", " + desk.result.reason;
+      result.reason = "trial " + std::to_string(t) + ", " + simulator.result.reason;
       return false;
     }
-    const TimeSeries::Samples& all = desk.result.readings.samples;
-    desk.readings[t].resize(all.rows(), static_cast<Eigen::Index>(maps_[t].size()));
+    const TimeSeries::Samples& all = simulator.result.readings.samples;
+    simulator.readings[t].resize(all.rows(), static_cast<Eigen::Index>(maps_[t].size()));
     for (std::size_t c = 0; c < maps_[t].size(); ++c)
-      desk.readings[t].col(static_cast<Eigen::Index>(c)) = all.col(maps_[t][c]);
+      simulator.readings[t].col(static_cast<Eigen::Index>(c)) = all.col(maps_[t][c]);
   }
   return true;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <lacuna/fitness_metric.h>
-#include "evaluation/scoring/candidate_desk.h"
+#include "evaluation/scoring/candidate_simulator.h"
 #include "evaluation/model/component_choice.h"
 #include "evaluation/scoring/lag_profile.h"
 #include "evaluation/scoring/scored_trial.h"
@@ -47,7 +47,7 @@ class ModelScorer {
   ~ModelScorer();
 
   std::size_t trials() const { return trials_.size(); }
-  int workers() const { return static_cast<int>(desks_.size()); }
+  int workers() const { return static_cast<int>(simulators_.size()); }
 
   /// Simulates the trials in their order until the total is certain to exceed `bar`. Without a limit to the end.
   void score(const ModelProposal& candidate, std::optional<double> bar, int worker, ModelScore& result) const;
@@ -55,18 +55,18 @@ class ModelScorer {
  private:
   struct Desk;
   struct Tally;
-  void score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
-  void score_trial(std::size_t trial, double bar, Desk& desk, ModelScore& result) const;
-  void score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
+  void score_trials(const ModelProposal& candidate, double bar, Desk& simulator, ModelScore& result) const;
+  void score_trial(std::size_t trial, double bar, Desk& simulator, ModelScore& result) const;
+  void score_with_lags(const ModelProposal& candidate, double bar, Desk& simulator, ModelScore& result) const;
   void end_trial(std::size_t trial, const Tally& tally, ModelScore& result) const;
-  std::string why_not_finite(const Desk& desk, double score) const;
-  bool read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const;
+  std::string why_not_finite(const Desk& simulator, double score) const;
+  bool read_trials(const ModelProposal& candidate, Desk& simulator, ModelScore& result) const;
 
   std::vector<ScoredTrial> trials_;
   std::vector<std::vector<Eigen::Index>> maps_;  ///< per trial: measured channel → model channel
   Chosen<FitnessMetric> metric_;
   LagProfile lags_;
-  std::vector<std::unique_ptr<Desk>> desks_;
+  std::vector<std::unique_ptr<Desk>> simulators_;
 };
 
 }  // namespace lacuna

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/starts/head_fit.h"
+#include "fitting/starts/start_fit.h"
 
 #include <span>
 #include <vector>

@@ -25,9 +25,9 @@ std::vector<Candidate> refine_all(ShootingProblem& problem, const std::vector<Ei
   if (starts.empty()) return {};
   const TrialPredictor& predictor = problem.predictor();
   const int at_once = searches_at_once(problem, starts.size());
-  std::vector<std::unique_ptr<TrialPredictor>> desks;  // the first search has the problem's own
+  std::vector<std::unique_ptr<TrialPredictor>> simulators;  // the first search has the problem's own
   for (int i = 1; i < at_once; ++i)
-    desks.push_back(
+    simulators.push_back(
         std::make_unique<TrialPredictor>(predictor.model(), predictor.trials(), predictor.workers() / at_once));
 
   std::mutex mutex;
@@ -42,7 +42,7 @@ std::vector<Candidate> refine_all(ShootingProblem& problem, const std::vector<Ei
       const std::scoped_lock lock(mutex);
       meter.begin_part(fmt::format("{}, {} of {}", what, i + 1, starts.size()));
     }
-    ShootingProblem own(problem, worker == 0 ? predictor : *desks[static_cast<std::size_t>(worker - 1)]);
+    ShootingProblem own(problem, worker == 0 ? predictor : *simulators[static_cast<std::size_t>(worker - 1)]);
     candidates[i] = refine(own, starts[i], shared);
     const std::scoped_lock lock(mutex);
     problem.count_in(own);

@@ -126,7 +126,7 @@ int rank(std::vector<Candidate>& candidates, std::size_t samples) {
   }));
 }
 
-void keep_rivals(std::vector<Candidate>& candidates, std::size_t samples) {
+void keep_best(std::vector<Candidate>& candidates, std::size_t samples) {
   const Candidate& best = candidates.front();
   const auto rival = std::find_if(candidates.begin() + 1, candidates.end(), [&](const Candidate& candidate) {
     return candidate.valid && !same_error(candidate, best, samples) &&

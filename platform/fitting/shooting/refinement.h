@@ -46,9 +46,9 @@ std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates)
 /// Sorts by objective, those that are not valid last. Returns how many reached the best one's error.
 int rank(std::vector<Candidate>& candidates, std::size_t samples);
 
-inline constexpr int kRivals = 2;
+inline constexpr int kKeptCandidates = 2;
 
 /// Keeps the best and the best of those with other minima: another stage may change their order.
-void keep_rivals(std::vector<Candidate>& candidates, std::size_t samples);
+void keep_best(std::vector<Candidate>& candidates, std::size_t samples);
 
 }  // namespace lacuna

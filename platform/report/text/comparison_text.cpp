@@ -1,6 +1,6 @@
 #include "report/text/comparison_text.h"
 
-#include "data_checks/data_doubts.h"
+#include "data_checks/data_checks.h"
 #include "foundation/text/counted.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
@@ -139,7 +139,7 @@ std::string fit_text(const FitResult& fit) {
   return text;
 }
 
-std::string data_checks_text(const std::vector<Doubt>& doubts) {
+std::string data_checks_text(const std::vector<DataWarning>& doubts) {
   std::string text;
   for (const std::string& fault : faults_among(doubts)) text += "data check failed: " + fault + "\n";
   if (!text.empty())

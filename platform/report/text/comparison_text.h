@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data_checks/doubt.h"
+#include "data_checks/data_warning.h"
 #include "evaluation/model/known_setups.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
@@ -30,8 +30,8 @@ std::string cross_check_text(const CrossCheck& check);
 /// The values of a fit with their 95 % intervals, and what the data cannot tell.
 std::string fit_text(const FitResult& fit);
 
-/// What is wrong with the data of a fit (data_checks/data_doubts.h), and what that means, and what limits
+/// What is wrong with the data of a fit (data_checks/data_checks.h), and what that means, and what limits
 /// what they can tell; empty where nothing does.
-std::string data_checks_text(const std::vector<Doubt>& doubts);
+std::string data_checks_text(const std::vector<DataWarning>& doubts);
 
 }  // namespace lacuna
