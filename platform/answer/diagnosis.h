@@ -1,7 +1,7 @@
 #pragma once
 
-#include "candidates/hypothesis.h"
 #include "evaluation/model/known_setups.h"
+#include "candidates/untestable.h"
 #include "residual_law/force_findings.h"
 
 #include <limits>

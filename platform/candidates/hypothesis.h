@@ -2,6 +2,7 @@
 
 #include "config/schema/experiment.h"
 #include "evaluation/model/model_definition.h"
+#include "candidates/untestable.h"
 #include "loading/plugin_catalog.h"
 
 #include <memory>
@@ -34,15 +35,6 @@ bool has_place(const Hypothesis& hypothesis);
 
 /// "coulomb_friction @ joint.hinge".
 std::string member_name(const EffectEntry& entry);
-
-/// Why an effect is not tested.
-struct Untestable {
-  std::string effect;
-  std::string where;  ///< empty: nowhere
-  std::string reason;
-  bool failed = false;  ///< its plugin failed; else no place in this model, or no influence on these trials
-  bool operator==(const Untestable&) const = default;
-};
 
 /// Every effect of the catalog on every element that it can be placed on, one at a time, and on all of them together
 /// where there are several, except what `base` has at the same place; then the robot's fixed numbers that may be wrong

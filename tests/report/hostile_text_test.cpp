@@ -1,5 +1,6 @@
 #include "foundation/text/plain_text.h"
 #include "report/figures/figure.h"
+#include "report/figures/history_picture.h"
 #include "report/figures/robot_drawing.h"
 #include "report/text/history_text.h"
 

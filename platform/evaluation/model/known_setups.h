@@ -2,11 +2,13 @@
 
 #include "evaluation/model/model_definition.h"
 #include "foundation/recording_source.h"
-
 #include <string>
 #include <vector>
 
 namespace lacuna {
+
+struct ModelDefinition;
+struct RecordingSource;
 
 /// A setup of recordings that the rig can have again: its set values, and the values fitted to it alone.
 struct KnownSetup {
