@@ -1,4 +1,5 @@
 #include "conformance/every_plugin.h"
+#include "plugin_checks/metric_inputs.h"
 
 #include <gmock/gmock.h>
 
@@ -9,35 +10,12 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNanOfMetric = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kSamples = 300, kChannels = 3;
-constexpr double kRounding = 1e-12;  // share of a score
-
-struct Samples {
-  std::vector<double> predicted, measured;
-};
-
-/// Sine waves that agree better and better, with gaps in what is measured.
-std::vector<Samples> comparison() {
-  std::vector<Samples> all;
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    Samples samples;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      const double t = 0.05 * static_cast<double>(i) + static_cast<double>(c);
-      samples.predicted.push_back(std::sin(t));
-      samples.measured.push_back((i + c) % 7 == 0 ? kNanOfMetric : std::sin(1.02 * t) + 0.3 / (1.0 + t));
-    }
-    all.push_back(samples);
-  }
-  return all;
-}
-
 std::unique_ptr<ScoreAccumulator> accumulator(const FitnessMetric& metric, const std::vector<double>& parameters) {
-  return metric.accumulator({2, kSamples, kChannels}, parameters);
+  return metric.accumulator({2, kComparedSamples, kComparedChannels}, parameters);
 }
 
-double score(ScoreAccumulator& accumulator, const std::vector<Samples>& all) {
-  for (const Samples& samples : all) accumulator.add(samples.predicted, samples.measured);
+double score(ScoreAccumulator& accumulator, const std::vector<ComparedSample>& all) {
+  for (const ComparedSample& sample : all) accumulator.add(sample.predicted, sample.measured);
   return accumulator.score();
 }
 
@@ -45,12 +23,12 @@ TEST(MetricConformance, BoundsNeverFallAndNeverExceedTheScore) {
   on_every<FitnessMetric>([&](const FitnessMetric& metric, const std::vector<double>& parameters) {
     const auto sums = accumulator(metric, parameters);
     double last = sums->bound();
-    for (const Samples& samples : comparison()) {
-      sums->add(samples.predicted, samples.measured);
+    for (const ComparedSample& sample : compared_sines()) {
+      sums->add(sample.predicted, sample.measured);
       EXPECT_GE(sums->bound(), last);
       last = sums->bound();
     }
-    EXPECT_LE(last, sums->score() * (1.0 + kRounding));
+    EXPECT_LE(last, sums->score() * (1.0 + kScoreRounding));
     EXPECT_TRUE(std::isfinite(sums->score()));
   });
 }
@@ -58,8 +36,8 @@ TEST(MetricConformance, BoundsNeverFallAndNeverExceedTheScore) {
 /// Bounds after each sample, and the score.
 std::vector<double> course(ScoreAccumulator& accumulator) {
   std::vector<double> values{accumulator.bound()};
-  for (const Samples& samples : comparison()) {
-    accumulator.add(samples.predicted, samples.measured);
+  for (const ComparedSample& sample : compared_sines()) {
+    accumulator.add(sample.predicted, sample.measured);
     values.push_back(accumulator.bound());
   }
   values.push_back(accumulator.score());
@@ -76,31 +54,27 @@ TEST(MetricConformance, ResetBeginsAnew) {
 }
 
 TEST(MetricConformance, WhatWasNotMeasuredCountsForNothing) {
-  std::vector<Samples> other = comparison();
-  for (Samples& samples : other)
-    for (std::size_t c = 0; c < kChannels; ++c)
-      if (std::isnan(samples.measured[c])) samples.predicted[c] = 1e6;
+  const std::vector<ComparedSample> other = sines_off_where_not_measured();
   on_every<FitnessMetric>([&](const FitnessMetric& metric, const std::vector<double>& parameters) {
-    EXPECT_EQ(score(*accumulator(metric, parameters), other), score(*accumulator(metric, parameters), comparison()));
+    EXPECT_EQ(score(*accumulator(metric, parameters), other),
+              score(*accumulator(metric, parameters), compared_sines()));
   });
 }
 
 TEST(MetricConformance, AWorsePredictionScoresWorse) {
-  std::vector<Samples> worse = comparison(), exact = comparison();
-  for (Samples& samples : worse)
-    for (double& value : samples.predicted) value += 5.0;
-  for (Samples& samples : exact) samples.predicted = samples.measured;
+  const std::vector<ComparedSample> worse = worse_sines();
+  std::vector<ComparedSample> exact = compared_sines();
+  for (ComparedSample& sample : exact) sample.predicted = sample.measured;
   on_every<FitnessMetric>([&](const FitnessMetric& metric, const std::vector<double>& parameters) {
-    const double normal = score(*accumulator(metric, parameters), comparison());
+    const double normal = score(*accumulator(metric, parameters), compared_sines());
     EXPECT_GT(score(*accumulator(metric, parameters), worse), normal);
     EXPECT_LT(score(*accumulator(metric, parameters), exact), normal);
   });
 }
 
 TEST(MetricConformance, PredictionsThatAreNoNumberAreInfinitelyBad) {
-  for (const double bad : {kNanOfMetric, std::numeric_limits<double>::infinity()}) {
-    std::vector<Samples> broken = comparison();
-    broken[kSamples / 2].predicted.assign(kChannels, bad);
+  for (const double bad : {kNotMeasured, std::numeric_limits<double>::infinity()}) {
+    const std::vector<ComparedSample> broken = broken_sines(bad);
     on_every<FitnessMetric>([&](const FitnessMetric& metric, const std::vector<double>& parameters) {
       EXPECT_EQ(score(*accumulator(metric, parameters), broken), std::numeric_limits<double>::infinity());
     });

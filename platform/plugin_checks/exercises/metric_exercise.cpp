@@ -1,38 +1,13 @@
 #include "plugin_checks/exercises/exercises.h"
+#include "plugin_checks/metric_inputs.h"
 
 #include <lacuna/error.h>
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace lacuna {
 namespace {
-
-constexpr std::size_t kComparedSamples = 300, kComparedChannels = 3;
-constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRounding = 1e-12;  // share of a score
-
-struct ComparedSample {
-  std::vector<double> predicted, measured;
-};
-
-/// Sine waves with decreasing errors, and gaps in the measurement.
-std::vector<ComparedSample> comparison() {
-  std::vector<ComparedSample> all;
-  for (std::size_t i = 0; i < kComparedSamples; ++i) {
-    ComparedSample sample;
-    for (std::size_t c = 0; c < kComparedChannels; ++c) {
-      const double t = 0.05 * static_cast<double>(i) + static_cast<double>(c);
-      sample.predicted.push_back(std::sin(t));
-      sample.measured.push_back((i + c) % 7 == 0 ? kNotMeasured : std::sin(1.02 * t) + 0.3 / (1.0 + t));
-    }
-    all.push_back(sample);
-  }
-  return all;
-}
 
 class MetricExercise : public Exercise {
  public:
@@ -62,19 +37,12 @@ class MetricExercise : public Exercise {
     const double score = sums->score();
     sums->reset();
     expect(score_of(*sums, samples_) == score, "after reset() the same samples give another score; reset everything");
-    std::vector<ComparedSample> other = samples_, worse = samples_, broken_off = samples_;
-    for (ComparedSample& sample : other)
-      for (std::size_t c = 0; c < kComparedChannels; ++c)
-        if (std::isnan(sample.measured[c])) sample.predicted[c] = 1e6;
-    for (ComparedSample& sample : worse)
-      for (double& value : sample.predicted) value += 5.0;
-    broken_off[kComparedSamples / 2].predicted.assign(kComparedChannels, kNotMeasured);
-    expect(score_of(*accumulator(setting), other) == score,
+    expect(score_of(*accumulator(setting), sines_off_where_not_measured()) == score,
            "predictions at samples without a measurement change the score; skip values whose `measured` is NaN");
-    expect(score_of(*accumulator(setting), worse) > score,
+    expect(score_of(*accumulator(setting), worse_sines()) > score,
            "a prediction with an error of 5 more scores no worse; return a larger score for a larger error");
     expect(
-        score_of(*accumulator(setting), broken_off) == std::numeric_limits<double>::infinity(),
+        score_of(*accumulator(setting), broken_sines(kNotMeasured)) == std::numeric_limits<double>::infinity(),
         "a prediction that is not a number does not score infinity; return infinity, or a model that diverges may win");
     return broken;
   }
@@ -109,11 +77,11 @@ class MetricExercise : public Exercise {
       rise = rise && sums.bound() >= last;
       last = sums.bound();
     }
-    return rise && last <= sums.score() * (1.0 + kRounding);
+    return rise && last <= sums.score() * (1.0 + kScoreRounding);
   }
 
   const FitnessMetric& metric_;
-  const std::vector<ComparedSample> samples_ = comparison();
+  const std::vector<ComparedSample> samples_ = compared_sines();
 };
 
 }  // namespace
