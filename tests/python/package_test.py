@@ -166,6 +166,26 @@ class InstallTest(unittest.TestCase):
             done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=prefix, env=environment)
         self.assertEqual(done.stdout.split(), [str(folder / "lacuna" / "__init__.py"), "True"])
 
+    def test_a_wheel_is_built_without_a_network_and_works(self) -> None:
+        python = "/usr/bin/python3"  # Debian's, which has its setuptools
+        with tempfile.TemporaryDirectory() as scratch:
+            sources, wheels, site = (str(Path(scratch) / name) for name in ("python", "wheels", "site"))
+            shutil.copytree(SOURCE / "python", sources)  # setuptools leaves files beside what it builds
+            offline = [python, "-m", "pip", "--disable-pip-version-check", "--isolated"]
+            alone = ["--no-index", "--no-deps", "--quiet"]
+            built = [*offline, "wheel", *alone, "--no-build-isolation", "--wheel-dir", wheels, sources]
+            subprocess.run(built, check=True, capture_output=True)
+            (wheel,) = Path(wheels).iterdir()
+            self.assertEqual(wheel.name, f"lacuna-{lacuna.__version__}-py3-none-any.whl")
+            subprocess.run([*offline, "install", *alone, "--target", site, str(wheel)], check=True, capture_output=True)
+            script = "import lacuna, lacuna.results as r; print(lacuna.__file__, lacuna.Program().version(), r.Check.__name__)"
+            environment = {**os.environ, "PYTHONPATH": site}
+            done = subprocess.run(
+                [python, "-c", script], check=True, capture_output=True, text=True, cwd=scratch, env=environment
+            )
+            self.assertTrue((Path(site) / "lacuna" / "py.typed").exists())
+        self.assertEqual(done.stdout.split(), [f"{site}/lacuna/__init__.py", lacuna.__version__, "Check"])
+
 
 def _described(text: str) -> set[str]:
     """Names at the beginning of ``name, other : type`` lines of a docstring."""
