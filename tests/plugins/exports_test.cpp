@@ -121,7 +121,7 @@ TEST_F(Exports, AsMcapHaveAsManyChunksAsTheyNeed) {
   EXPECT_THAT(FormatUnderTest::texts(read.doubts), IsEmpty());
 }
 
-/// `exported.mcap` is this file as @mcap/core reads it with both of its readers (read_mcap.mjs).
+/// `exported.mcap` is this file as @mcap/core reads it with both of its readers (mcap_core/read_mcap.mjs).
 TEST_F(Exports, AsMcapAreTheBytesThatAnotherProgramReads) {
   const std::string file = written("sine.mcap", [](std::ostream& stream) { write_mcap_trace(some_trace(), stream); });
   EXPECT_EQ(read_bytes(file), read_bytes(recorded_by_others("exported.mcap")));
