@@ -54,7 +54,7 @@ TEST(PluginsList, HasOneKindWhereItIsAskedFor) {
 TEST(PluginsNew, RefusesWhatCannotBeANameWithASentence) {
   const std::map<std::string, std::string> sentences = {
       {"metric Water-Drag", "\"Water-Drag\" is not a valid plugin name; use lower-case letters, digits and _"},
-      {"metric 2nd", "is no name of a plugin"},
+      {"metric 2nd", "is not a valid plugin name"},
       {"robot " + std::string(101, 'a'), "the name has 101 letters; at most 100 are allowed"},
       {"search test", "test is a CMake target of every project"},
       {"search all_plugins", "or of Lacuna; choose another name"},

@@ -97,7 +97,7 @@ TEST_F(PredictCommand, AsksTheNewestRunOrTheOneThatIsNamed) {
   EXPECT_THAT(predict(kLine, {"--set", "experiment.name='other'", "--db", "simulated-pendulum.db"}).output,
               HasSubstr("other · revision 1 · model with its values as written"))
       << "the runs are of another experiment";
-  expect_bad(predict(kLine, {"--run", "1", "--fitted"}), "give one of them");
+  expect_bad(predict(kLine, {"--run", "1", "--fitted"}), "give only one of them");
   expect_bad(with_words({"predict", "smoke/simulated-pendulum.toml"}), "say which test");
   EXPECT_THAT(predict(kLine, {"--fitted"}).output, HasSubstr("fitted model, 1 free value")) << "to the run's trials";
 }

@@ -120,7 +120,7 @@ TEST_F(TrialCommand, RefusesWhatTheRigCannotDo) {
   expect_refused(kTest, "is shorter than one period", {"--duration", "1 s"});
   expect_refused("missing.csv", "missing.csv");
   program_.write("strong.csv", "t [s],motor [N*m]\n0,0.1\n1,0.9\n");
-  expect_refused("strong.csv", "beyond its limits");
+  expect_refused("strong.csv", "exceed its limits");
 }
 
 TEST_F(TrialCommand, SetsTheRigUpAsARecordingSays) {

@@ -56,7 +56,7 @@ TEST(PageAccessTest, IsReachedThroughATunnel) {
   const char* const here = "127.0.0.1:8080";  // ssh -L 8080:127.0.0.1:PORT
   EXPECT_THAT(access.refusal(get(here)), IsEmpty());
   EXPECT_THAT(access.refusal(post(here, {{"origin", "http://127.0.0.1:8080"}})), IsEmpty());
-  EXPECT_THAT(access.refusal(post(here, {{"origin", "http://127.0.0.1:8081"}})), HasSubstr("another site"));
+  EXPECT_THAT(access.refusal(post(here, {{"origin", "http://127.0.0.1:8081"}})), HasSubstr("other sites"));
 }
 
 TEST(PageAccessTest, RefusesOtherSitesPages) {
@@ -64,9 +64,9 @@ TEST(PageAccessTest, RefusesOtherSitesPages) {
   EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"origin", "http://127.0.0.1:80"}})), IsEmpty());
   EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"sec-fetch-site", "same-origin"}})), IsEmpty());
   for (const char* origin : {"null", "http://evil.example", "http://127.0.0.1:81", "http://localhost:80", "file://"})
-    EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"origin", origin}})), HasSubstr("another site")) << origin;
+    EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"origin", origin}})), HasSubstr("other sites")) << origin;
   for (const char* site : {"cross-site", "same-site"})
-    EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"sec-fetch-site", site}})), HasSubstr("another site")) << site;
+    EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"sec-fetch-site", site}})), HasSubstr("other sites")) << site;
 }
 
 TEST(PageAccessTest, LetsAnAddressBeOpenedFromAnywhereButNotFramed) {
@@ -76,8 +76,8 @@ TEST(PageAccessTest, LetsAnAddressBeOpenedFromAnywhereButNotFramed) {
         "127.0.0.1:80", {{"sec-fetch-site", "cross-site"}, {"sec-fetch-mode", mode}, {"sec-fetch-dest", destination}}));
   };
   EXPECT_THAT(opened("navigate", "document"), IsEmpty());
-  EXPECT_THAT(opened("navigate", "iframe"), HasSubstr("another site"));
-  EXPECT_THAT(opened("no-cors", "script"), HasSubstr("another site"));
+  EXPECT_THAT(opened("navigate", "iframe"), HasSubstr("other sites"));
+  EXPECT_THAT(opened("no-cors", "script"), HasSubstr("other sites"));
 }
 
 TEST(PageAccessTest, TokensAre128BitsAndDiffer) {

@@ -76,8 +76,8 @@ TEST_F(DatabaseTest, ADatabaseOfAnotherProgramIsRefusedAndStaysAsItIs) {
     foreign.execute("PRAGMA application_id = 7; PRAGMA journal_mode = DELETE");
   }
   const std::string before = read_bytes(file_);
-  EXPECT_THAT(open_sentence(), HasSubstr("is a database of another program"));
-  EXPECT_THAT(read_sentence(), HasSubstr("is a database of another program"));
+  EXPECT_THAT(open_sentence(), HasSubstr("is not a Lacuna database but that of another program"));
+  EXPECT_THAT(read_sentence(), HasSubstr("is not a Lacuna database but that of another program"));
   EXPECT_EQ(read_bytes(file_), before);
 }
 
