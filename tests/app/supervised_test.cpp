@@ -1,5 +1,5 @@
 #include "app/supervisor.h"
-#include "foundation/plugin_call.h"
+#include "foundation/plugins/plugin_call.h"
 
 #include <gmock/gmock.h>
 

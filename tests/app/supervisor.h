@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/terminal/supervised.h"
-#include "foundation/interrupt.h"
+#include "foundation/processes/interrupt.h"
 #include "support/test_folder.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <lacuna/test_encoding.h>
 
 #include "evaluation/model/known_setups.h"
-#include "config/experiment.h"
+#include "config/schema/experiment.h"
 #include "loading/plugin_catalog.h"
 
 #include <optional>
