@@ -30,23 +30,24 @@ class CheckedLibrary {
   const json& told() const { return told_; }
   /// "passed", "failed: FINDING" or "not applicable" of a component's check.
   std::string of(const std::string& component, const std::string& check) const {
-    for (const json& one : told_.at("components"))
-      if (one.at("name") == component)
-        for (const json& result : one.at("checks"))
-          if (result.at("check") == check) return text_of(result);
+    for (const json& result : checks_of(component))
+      if (result.at("check") == check) return text_of(result);
     return "no such check";
   }
   /// The names of the checks that a component failed.
   std::vector<std::string> failed(const std::string& component) const {
     std::vector<std::string> names;
-    for (const json& one : told_.at("components"))
-      if (one.at("name") == component)
-        for (const json& result : one.at("checks"))
-          if (result.at("outcome") == "failed") names.push_back(result.at("check"));
+    for (const json& result : checks_of(component))
+      if (result.at("outcome") == "failed") names.push_back(result.at("check"));
     return names;
   }
 
  private:
+  json checks_of(const std::string& component) const {
+    for (const json& one : told_.at("components"))
+      if (one.at("name") == component) return one.at("checks");
+    return json::array();
+  }
   static std::string text_of(const json& result) {
     const std::string outcome = result.at("outcome");
     return outcome == "failed" ? outcome + ": " + result.at("finding").get<std::string>() : outcome;
