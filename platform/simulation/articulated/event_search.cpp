@@ -12,9 +12,9 @@ constexpr double kSameMoment = 1e-8;  ///< of the way to an event, within which 
 constexpr double kTold = 1e-12;       ///< of the fastest velocity: a step tells no smaller ones
 
 double fastest(const Motion& motion) {
-  double fastest = 0.0;
-  for (const double velocity : motion.velocities) fastest = std::max(fastest, std::abs(velocity));
-  return fastest;
+  double most = 0.0;
+  for (const double velocity : motion.velocities) most = std::max(most, std::abs(velocity));
+  return most;
 }
 
 }  // namespace
