@@ -150,7 +150,7 @@ class PickyTests : public Picky<TestEncoding> {
 
 TEST(Encoding, AGenomeThatItRefusesRanksLastAndEndsNothing) {
   const auto bench = small_bench();
-  EeaDefinition definition(bench->rig().experiment, *bench->rig().catalog, bench->rig().definition, true);
+  EeaDefinition definition(bench->opened().experiment, *bench->opened().catalog, bench->opened().definition, true);
   const PickyModels models(*definition.model_encoding.component);
   const PickyTests tests(*definition.test_encoding.component);
   definition.model_encoding.component = &models;

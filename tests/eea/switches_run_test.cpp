@@ -155,7 +155,7 @@ class OtherSwitches : public ModelEncoding {
 TEST(SwitchesRun, SetsOfEffectsThatCannotBeAreAFaultOfThePlugin) {
   const auto bench =
       small_bench({"model.effects[2].optional=false"}, kStickyCart);  // stick, of which canonically first
-  EeaDefinition definition(bench->rig().experiment, *bench->rig().catalog, bench->rig().definition, true);
+  EeaDefinition definition(bench->opened().experiment, *bench->opened().catalog, bench->opened().definition, true);
   OtherSwitches switches;
   definition.model_encoding.component = &switches;
   const auto says = [&](const std::vector<std::size_t>& without, const char* what) {
