@@ -2,6 +2,8 @@
 
 #include "evaluation/prediction/trial_predictor.h"
 #include "foundation/processes/interrupt.h"
+#include "foundation/unit.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +34,24 @@ std::vector<ChannelNoise> noise_of_readings(const SmoothedStarts& starts, const 
   return noise;
 }
 
+ChannelNoise agreed(const ChannelNoise& other, const ChannelNoise& smoothed) {
+  constexpr double kMotion = 2.0;
+  if (smoothed.deviation <= kMotion * other.deviation) return smoothed;
+  ChannelNoise kept = other;
+  kept.origin += fmt::format("; lacuna diagnose takes {}, the scatter about the smoothed readings, which holds motion",
+                             format_quantity(smoothed.deviation, smoothed.unit));
+  return kept;
+}
+
 std::vector<ChannelNoise> noise_of_readings(const RobotSpec& robot, const TrialPredictor& predictor) {
   const std::vector<Trial>& trials = predictor.trials();
   std::vector<ChannelNoise> noise = sensor_noise(robot, trials);
   if (std::ranges::all_of(noise, is_declared)) return noise;
   try {
     const StartStates states(robot, predictor, noise);
-    return noise_of_readings(SmoothedStarts(states, trials), trials, noise);
+    const std::vector<ChannelNoise> smoothed = noise_of_readings(SmoothedStarts(states, trials), trials, noise);
+    for (std::size_t c = 0; c < noise.size(); ++c) noise[c] = agreed(noise[c], smoothed[c]);
+    return noise;
   } catch (const Interrupted&) {
     throw;
   } catch (const Error&) {

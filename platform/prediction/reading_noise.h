@@ -11,8 +11,13 @@ namespace lacuna {
 std::vector<ChannelNoise> noise_of_readings(const SmoothedStarts& starts, const std::vector<Trial>& trials,
                                             std::vector<ChannelNoise> noise);
 
-/// The same of all trials of a predictor, so that a comparison and a diagnosis of them have one noise. As
-/// `sensor_noise` has it where readings are too few to be smoothed.
+/// Of one channel the figure for a comparison: that of the smoothed readings, which a diagnosis takes, unless it is
+/// more than twice the other one, from rest or differences; then the smoother took fast motion for noise, and the
+/// origin says which figure the diagnosis takes.
+ChannelNoise agreed(const ChannelNoise& other, const ChannelNoise& smoothed);
+
+/// The noise of all trials of a predictor for a comparison, by `agreed`. As `sensor_noise` has it where it is declared,
+/// and where readings are too few to be smoothed.
 std::vector<ChannelNoise> noise_of_readings(const RobotSpec& robot, const TrialPredictor& predictor);
 
 }  // namespace lacuna

@@ -34,8 +34,23 @@ Value<Eigen::Vector3d> direction() {
   return either(letter, numbers);
 }
 
+/// Above 0, which a point mass and a thin rod do not have about each axis.
+Value<double> moment_of_inertia() {
+  Value<double> moment = number("kg*m^2").above(0.0);
+  moment.read = [strict = moment.read](const TomlNode& node, Reading& reading, double& result) {
+    const bool is_zero = node.kind == TomlNode::Kind::integer ? node.integer == 0 : node.real == 0.0;
+    if (!node.is_number() || !is_zero) return strict(node, reading, result);
+    reading.problem(
+        node,
+        "must be above 0 kg*m^2; for a point mass or a thin rod write a moment that is too small to matter, "
+        "such as \"1e-6 kg*m^2\"");
+    return false;
+  };
+  return moment;
+}
+
 Value<InertiaSpec> inertia() {
-  const auto moment = number("kg*m^2").above(0.0);
+  const auto moment = moment_of_inertia();
   const auto product = number("kg*m^2");
   Value<InertiaSpec> table = Table<InertiaSpec>()
                                  .required("xx", &InertiaSpec::xx, moment, "moment about the body's x through the com")
