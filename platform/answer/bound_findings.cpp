@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kOnBound = 1e-9;  ///< of a range
+constexpr double kOnBound = 1e-9;  // of the distance between the bounds
 
 struct Bound {
   const char* name;
@@ -28,9 +28,9 @@ std::string sentence(const FreeValue& free, const FoundParameter& value, const B
                   format_quantity(bound.at, free.unit));
   if (value.at_bound && std::abs(value.value - bound.at) <= near)
     return fmt::format(
-        "{} is at its {}: the data want {}; the bound is too tight, or the value stands in for an effect that is "
-        "missing",
-        value.name, which, is_lower ? "less" : "more");
+        "{} is at its {}: a {} value would fit better: the bound is too tight, or the value has absorbed a missing "
+        "effect",
+        value.name, which, is_lower ? "smaller" : "larger");
   if (!(std::abs(bound.end_of_interval - bound.at) <= near)) return "";
   return fmt::format("{}: its {}, cuts its 95 % interval short; widen it if the value may be {}", value.name, which,
                      is_lower ? "smaller" : "larger");

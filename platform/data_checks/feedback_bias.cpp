@@ -28,8 +28,7 @@ std::vector<std::string> sentences_on(const std::vector<WrongController>& wrong)
     sentences.push_back(fmt::format(
         "{}: the controller that target.controllers declares for {} does not reproduce the recorded commands from the "
         "recorded readings (error {:.0f} % of their deviation), so feedback bias was not tested; check its gains, "
-        "their "
-        "signs and the reference",
+        "their signs and the reference",
         one.trial, one.actuator, 100.0 * one.off));
   return sentences;
 }

@@ -8,9 +8,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kOtherCommands = 0.1;  // of the commands' deviation, RMS
+constexpr double kOtherCommands = 0.1;  // of the commands' standard deviation, RMS
 
-/// RMS of what the law makes of the recorded readings less what was recorded, over the deviation of that.
+/// RMS difference between computed and recorded commands, over the standard deviation of the recorded ones.
 double disagreement(const RecordedController& controller, std::size_t law) {
   const Eigen::ArrayXd made = controller.of_recorded_readings(law).array();
   const Eigen::ArrayXd sent = controller.commands().series.samples.col(controller.laws()[law].command_column).array();

@@ -7,15 +7,15 @@
 
 namespace lacuna {
 
-/// A declared controller that does not make the recorded commands of a trial of its recorded readings.
+/// A declared controller that does not reproduce the recorded commands of a trial from its recorded readings.
 struct WrongController {
   std::string trial;
   std::string actuator;
-  double off = 0.0;  ///< RMS of its commands less the recorded ones, over the standard deviation of these
+  double off = 0.0;  ///< RMS difference from the recorded commands, over their standard deviation
 };
 
-/// Those of the fit trials, by trial: each whose commands differ by more than a tenth of the deviation of the recorded
-/// ones.
+/// Those of the fit trials, in the order of the trials: RMS difference above a tenth of the standard deviation of the
+/// recorded commands.
 std::vector<WrongController> wrong_controllers(const std::vector<Trial>& trials);
 
 }  // namespace lacuna

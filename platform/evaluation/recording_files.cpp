@@ -74,8 +74,8 @@ std::vector<std::filesystem::path> PluginRecordingFormats::parts_of(const std::f
   if (parts.empty() && problems.empty())
     problems.push_back({0, others.empty() ? "has a metadata.yaml, but no recording beside it; copy its .mcap or .db3 "
                                             "files there"
-                                          : fmt::format("has no file that can be read as a recording, but {}; if it is "
-                                                        "compressed, unpack it",
+                                          : fmt::format("has no file that can be read as a recording, only {}; unpack "
+                                                        "compressed files",
                                                         others)});
   return parts;
 }

@@ -9,8 +9,7 @@
 namespace lacuna {
 
 /// The recording formats of a catalog, which outlives it. The ending of a file's name decides; the longest match
-/// counts. A
-/// folder that is a recording (foundation/recording_folder.h) is read as one file: its files, one after the other.
+/// counts. A folder that is a recording (foundation/recording_folder.h) is read as one file: its files in order.
 class PluginRecordingFormats : public RecordingFormats {
  public:
   explicit PluginRecordingFormats(const PluginCatalog& catalog);

@@ -185,8 +185,8 @@ class Comparer {
     }
     if (!guesses.empty())
       result_.notes.push_back(fmt::format(
-          "noise is estimated where it is not declared and nothing rests long enough to show it: {}. If the "
-          "data sheet tells it, write it under [target.sensors], as in {}",
+          "noise is estimated from readings in motion, because it is not declared and the channel never rests long "
+          "enough: {}. If the data sheet states the noise, declare it under [target.sensors], as in {}",
           guesses, line));
   }
 

@@ -12,8 +12,8 @@ struct SharedCommas {
   std::size_t cells = 0;  ///< in that line
 };
 
-/// The first such row among the first sixty. Of a file with commas between its cells all of these rows have whole
-/// numbers alone, none has a cell more than two to a name, and at least one has more cells than names.
+/// The first such row among the first sixty. Only in a comma-separated file where all of these rows consist of whole
+/// numbers, none has more than two cells per name, and at least one has more cells than names.
 SharedCommas shared_commas(std::string_view text, const CsvFormat& format);
 
 }  // namespace lacuna

@@ -16,8 +16,8 @@ std::vector<ChannelNoise> noise_of_readings(const SmoothedStarts& starts, const 
 /// origin says which figure the diagnosis takes.
 ChannelNoise agreed(const ChannelNoise& other, const ChannelNoise& smoothed);
 
-/// The noise of all trials of a predictor for a comparison, by `agreed`. As `sensor_noise` has it where it is declared,
-/// and where readings are too few to be smoothed.
+/// The noise of all trials of a predictor for a comparison, by `agreed`. From `sensor_noise` where it is declared and
+/// where there are too few readings to smooth.
 std::vector<ChannelNoise> noise_of_readings(const RobotSpec& robot, const TrialPredictor& predictor);
 
 }  // namespace lacuna

@@ -26,9 +26,10 @@ TEST(BoundFindings, NameABoundThatCutsAnInterval) {
 }
 
 TEST(BoundFindings, NameABoundThatHoldsAValue) {
-  EXPECT_THAT(bound_findings(kFree, {{"body.arm.mass", "kg", 1.0, kNone, kNone, {}, true}}),
-              ElementsAre("body.arm.mass is at its upper bound in [model.free], 1.00 kg: the data want more; the bound "
-                          "is too tight, or the value stands in for an effect that is missing"));
+  EXPECT_THAT(
+      bound_findings(kFree, {{"body.arm.mass", "kg", 1.0, kNone, kNone, {}, true}}),
+      ElementsAre("body.arm.mass is at its upper bound in [model.free], 1.00 kg: a larger value would fit better: "
+                  "the bound is too tight, or the value has absorbed a missing effect"));
 }
 
 TEST(BoundFindings, AreNoneOfZeroAndOfIntervalsInside) {

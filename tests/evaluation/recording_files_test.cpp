@@ -169,7 +169,7 @@ TEST_F(RecordingFolders, SayWhatIsMissing) {
   write_metadata("");
   EXPECT_THAT(problem(), HasSubstr("no recording beside it"));
   folder_.write("run/run_0.db3.zstd", "");
-  EXPECT_THAT(problem(), HasSubstr("no file that can be read as a recording, but run_0.db3.zstd"));
+  EXPECT_THAT(problem(), HasSubstr("no file that can be read as a recording, only run_0.db3.zstd"));
   write_metadata("  relative_file_paths:\n    - run_0.mcap\n");
   EXPECT_THAT(problem(), HasSubstr("its file run_0.mcap: there is no such file; copy it there"));
 }

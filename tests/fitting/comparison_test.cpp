@@ -234,7 +234,7 @@ TEST(Compare, SaysWhereToDeclareANoiseThatIsAGuess) {
   trial.sensor_noise.clear();
   EXPECT_THAT(compare_spring({trial}, 0.5).notes,
               testing::Contains(
-                  testing::AllOf(testing::HasSubstr("noise is estimated where it is not declared"),
+                  testing::AllOf(testing::HasSubstr("noise is estimated from readings in motion"),
                                  testing::HasSubstr("under [target.sensors], as in angle = { ..., noise = \"0.00"))));
 }
 

@@ -49,8 +49,7 @@ void name_unmatched(const std::vector<Spec>& wanted, const std::vector<Spec>& ot
   for (const Spec& one : wanted)
     if (!called(other, one.name)) sentences.push_back("the file has no " + kind + " " + one.name);
   for (const Spec& one : other)
-    if (!called(wanted, one.name))
-      sentences.push_back("the file has " + with_article(kind) + " " + one.name + " besides");
+    if (!called(wanted, one.name)) sentences.push_back("the file also has " + with_article(kind) + " " + one.name);
 }
 
 void compare_joints(const RobotSpec& wanted, const RobotSpec& other, std::vector<std::string>& sentences) {

@@ -14,7 +14,7 @@ struct ChannelNoise {
   std::string unit;
   double deviation = 0.0;  ///< standard deviation, channel unit; never 0
   std::string origin;      ///< "declared", "encoder step 2.90 mrad/√12; rest agrees", ...
-  bool is_guess = false;   ///< nothing declares it, and the channel neither rests nor shows its step
+  bool is_guess = false;   ///< not declared, and the channel neither rests nor shows a quantisation step
 };
 
 /// Sensor noise of every channel that `trials` measure, in the order of the first trial that has it. Sources, the most

@@ -109,8 +109,8 @@ bool has_word(const OpenChannel& slot, const std::string& word) {
   return std::ranges::find(slot.words, word) != slot.words.end();
 }
 
-/// Whether a channel of the slot's kind lacks the word, or there is no other of the kind. The word "position" tells
-/// nothing where all joints have a position.
+/// Whether the word distinguishes the slot: another channel of its kind lacks the word, or there is no other. The word
+/// "position" does not distinguish joints that all have a position.
 bool tells_apart(const OpenChannel& slot, const std::string& word, const std::vector<OpenChannel>& slots) {
   const auto is_of_kind = [&](const OpenChannel& other) {
     return other.is_actuator == slot.is_actuator && other.channel.unit == slot.channel.unit;
