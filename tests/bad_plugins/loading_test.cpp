@@ -33,7 +33,7 @@ TEST(BadPlugin, WithoutTheSymbol) {
 
 TEST(BadPlugin, WithAnUndefinedSymbolNamesItReadably) {
   const BadFolder folder("undefined_symbol");
-  expect_one_problem(folder.path(), "undefined_symbol.so", "it calls rig::gear_ratio(int), which nothing defines",
+  expect_one_problem(folder.path(), "undefined_symbol.so", "it calls rig::gear_ratio(int), which is defined nowhere",
                      "build it again");
 }
 
@@ -49,7 +49,7 @@ TEST(BadPlugin, WithAnotherLayout) {
 
 TEST(BadPlugin, ThatDiesOnLoadTakesOnlyAChildProcessWithIt) {
   const BadFolder folder("dies_on_load");
-  expect_one_problem(folder.path(), "dies_on_load.so", "when it was loaded", "take it out of the folder");
+  expect_one_problem(folder.path(), "dies_on_load.so", "when it was loaded", "remove it from the folder");
 }
 
 TEST(BadPlugin, CutShort) {
@@ -57,7 +57,7 @@ TEST(BadPlugin, CutShort) {
   for (const double share : {0.1, 0.5, 0.9}) {
     const TestFolder folder;
     folder.write("cut.so", whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
-    expect_one_problem(folder.path(), "cut.so", "is cut short", "copy it or build it again");
+    expect_one_problem(folder.path(), "cut.so", "is incomplete", "copy it or build it again");
   }
 }
 
@@ -127,7 +127,7 @@ TEST(BadPlugin, ThatSaysOfItselfWhatCannotBeIsRefusedByName) {
   };
   const std::map<std::string, const char*> whats = {{"without_stage", "overrides `command` but names no stage"},
                                                     {"without_placement", "has no placement"},
-                                                    {"unknown_unit", "\"{foo}\", which is no unit on"},
+                                                    {"unknown_unit", "\"{foo}\", which is not a unit for"},
                                                     {"bounds_reversed", "a lower bound above its upper bound"}};
   for (const auto& entry : whats)
     EXPECT_THAT([&] { catalog.get<PhysicalEffect>(entry.first); },

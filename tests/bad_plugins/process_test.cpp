@@ -66,7 +66,7 @@ TEST(HostileLibrary, ThatChangesTheProcessWhenItIsLoadedIsRefused) {
     const PluginCatalog catalog = catalog_with(folder, "load " + deed);
     EXPECT_THAT(catalog.problems(),
                 ElementsAre(AllOf(HasSubstr((folder.path() / "hostile.so").string()), HasSubstr("changes " + words),
-                                  HasSubstr("when it is loaded"), HasSubstr("take it out of the plugin folder"))))
+                                  HasSubstr("when it is loaded"), HasSubstr("remove the plugin from the folder"))))
         << deed;
     EXPECT_NO_THROW(catalog.get<PhysicalEffect>("viscous_friction")) << deed;
     expect_process_as_it_was(before);
@@ -164,7 +164,7 @@ TEST(PluginFolder, WithAFolderADeviceOrALinkToNothingNamesThem) {
   }
   const TestFolder folder;
   std::filesystem::create_symlink("/nowhere/at/all.so", folder.path() / "odd.so");
-  expect_refused_file(folder.path(), "is a link to nothing");
+  expect_refused_file(folder.path(), "is a link to a missing file");
 }
 
 }  // namespace

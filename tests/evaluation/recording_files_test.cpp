@@ -106,7 +106,7 @@ TEST(RecordedBags, JoinTopicsByTheirTimes) {
   std::string notes;
   for (const ReadingNote& note : recording.notes) notes += note.message + "\n";
   EXPECT_THAT(notes, HasSubstr("times of /joint_states are the stamps in its headers"));
-  EXPECT_THAT(notes, HasSubstr("/robot_description holds a robot description"));
+  EXPECT_THAT(notes, HasSubstr("/robot_description contains a robot description"));
 }
 
 /// A folder as `ros2 bag record` leaves it, with files of another format, which are easier to write.

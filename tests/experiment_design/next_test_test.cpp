@@ -316,7 +316,7 @@ TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
   EXPECT_EQ(test.setup->name(), "steps");
   EXPECT_EQ(test.evaluations, task.evaluations);
   EXPECT_GT(test.nats, 10.0);
-  EXPECT_THAT(to_string(test), testing::HasSubstr(" s with setup steps (body.arm.mass fitted to it alone): "));
+  EXPECT_THAT(to_string(test), testing::HasSubstr(" s with setup steps (body.arm.mass fitted to this setup alone): "));
   const TestJudge judge(task);
   const Genome genome = parse_test_line(task.space, test.line).genome;
   EXPECT_NEAR(judge.nats(genome, 0, "sine"), 0.0, 1e-9) << "both know that weight";

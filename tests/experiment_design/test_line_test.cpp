@@ -96,7 +96,7 @@ TEST_F(TestLineTest, SaysWhatIsWrongAndWhatWouldBeRight) {
   expect_refused("triangle motor nan N*m 0.1 Hz 20 s", "not finite");
   expect_refused("triangle motor 0.3 N*m 0.1-5 Hz 20 s", "one frequency");
   expect_refused("chirp motor 0.3 N*m 0.1 Hz 20 s", "two frequencies");
-  expect_refused("chirp motor 0.3 N*m 5-0.1 Hz 20 s", "lower one first");
+  expect_refused("chirp motor 0.3 N*m 5-0.1 Hz 20 s", "lower frequency first");
   expect_refused("chirp motor 0.3 N*m 0.1-200 Hz 20 s", "use 125 Hz or less");
   expect_refused("triangle motor 0.3 N*m 0.1 Hz 2 s", "use 10 s or more");
   expect_refused("triangle motor 0.3 N*m 0.1 Hz 20 s seed 3", "\"seed\" is not expected here");

@@ -182,7 +182,7 @@ TEST(NoiseFloor, IsNotKnownWhereNoDisturbedRunCanBeSimulated) {
   EXPECT_TRUE(std::isnan(floor.input));
   EXPECT_TRUE(std::isnan(floor.total));
   EXPECT_EQ(floor.sensor, 1e-4);
-  EXPECT_THAT(floor.origin, HasSubstr("what command noise adds is not known"));
+  EXPECT_THAT(floor.origin, HasSubstr("the contribution of command noise is unknown"));
 }
 
 TEST(NoiseFloor, RandomForceActsThroughTheEngine) {

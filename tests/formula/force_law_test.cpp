@@ -89,7 +89,7 @@ TEST(ForceLaw, ANumberBesideANameStaysAndIsSaid) {
   const ForceLaw law = read_force_law("-0.1*v*w0 + c*q", {{"w0", 1.0}, {"c", 0.5}});
   EXPECT_THAT(names(law), ElementsAre("w0", "c"));
   EXPECT_EQ(law.equation(), "-0.1*w0*v + c*q");
-  EXPECT_THAT(law.notes, ElementsAre("-0.1 stays as it is in the term with w0; a fit changes w0 alone"));
+  EXPECT_THAT(law.notes, ElementsAre("-0.1 is constant in the term with w0; a fit changes w0 alone"));
 }
 
 TEST(ForceLaw, BoundsHaveFewDigits) {
