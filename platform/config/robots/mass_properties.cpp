@@ -88,7 +88,8 @@ std::string inertia_objection(const InertiaSpec& inertia) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(to_matrix(inertia), Eigen::EigenvaluesOnly);
   const Eigen::Vector3d& moments = solver.eigenvalues();  // ascending
   const std::string listed = fmt::format("{:.4g}, {:.4g}, {:.4g} kg*m^2", moments[0], moments[1], moments[2]);
-  if (!(moments[0] > 0.0)) return "this inertia is not possible: its principal moments " + listed + " are not all above 0";
+  if (!(moments[0] > 0.0))
+    return "this inertia is not possible: its principal moments " + listed + " are not all above 0";
   if (moments[2] > (moments[0] + moments[1]) * (1.0 + kRounding))
     return "this inertia is not possible: one of its principal moments " + listed + " exceeds the sum of the others";
   return "";
