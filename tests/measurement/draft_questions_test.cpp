@@ -18,7 +18,7 @@ TEST_F(NewCommand, DraftsARecordingForEachRunOfAnExport) {
   EXPECT_THAT(outcome.out, HasSubstr("  runs               run.csv[Run #1]: 100 samples, 0.99 s\n"
                                      "                     run.csv[Run #2]: 80 samples, 0.79 s\n"
                                      "  held out           run.csv[Run #2] (the last run)\n"));
-  EXPECT_THAT(text_of(opened()),
+  EXPECT_THAT(text_of(rig()),
               HasSubstr("[[target.recording]]\nfile = \"run.csv\"\ntable = \"Run #2\"\nrole = \"holdout\""));
   const Recording recording = expect_a_draft_that_works();
   ASSERT_EQ(recording.trials.size(), 2u);
@@ -40,7 +40,7 @@ TEST_F(NewCommand, MakesAnAngleOfATrackedMass) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("angle            column x and y in m (x and y move on a circle)"));
   EXPECT_THAT(outcome.out, HasSubstr("track              points on a circle of radius 0.3 m about ("));
-  EXPECT_THAT(text_of(opened()), HasSubstr("angle = { column = \"x\", y = \"y\", unit = \"m\", pivot = ["));
+  EXPECT_THAT(text_of(rig()), HasSubstr("angle = { column = \"x\", y = \"y\", unit = \"m\", pivot = ["));
   const Recording recording = expect_a_draft_that_works();
   EXPECT_NEAR(recording.trials.front().measured.samples(0, 0), 0.6, 1e-3);
 }
@@ -48,7 +48,7 @@ TEST_F(NewCommand, MakesAnAngleOfATrackedMass) {
 TEST_F(NewCommand, TakesTheNoiseOfATrackedMassFromItsCircle) {
   const Outcome outcome = run_new({folder_.write("run.txt", tracked_mass(0.003))});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(text_of(opened()), HasSubstr("zero = \"-90 deg\", noise = \"0.01 rad\" }"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("zero = \"-90 deg\", noise = \"0.01 rad\" }"));
   expect_a_draft_that_works();
 }
 
@@ -105,14 +105,14 @@ TEST_F(NewCommand, CallsADraftedSetPointSo) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("set point          column q_des_rad in rad"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("not used")));
-  EXPECT_THAT(text_of(opened()), Not(HasSubstr("# not used")));
-  EXPECT_THAT(text_of(opened()), HasSubstr("# motor = { reads = \"angle\", reference = { column = \"q_des_rad\""));
+  EXPECT_THAT(text_of(rig()), Not(HasSubstr("# not used")));
+  EXPECT_THAT(text_of(rig()), HasSubstr("# motor = { reads = \"angle\", reference = { column = \"q_des_rad\""));
 }
 
 TEST_F(NewCommand, DraftsBoundsAboutTheRobotsOwnValues) {
   folder_.write("mine.toml", kPivot);
   ASSERT_EQ(run_new_of(folder_.write("run.csv", "t,theta_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n"), "mine.toml").code, 0);
-  EXPECT_THAT(text_of(opened()), HasSubstr("# \"body.rod.mass\" = [\"0.25 kg\", \"1 kg\"]"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("# \"body.rod.mass\" = [\"0.25 kg\", \"1 kg\"]"));
 }
 
 }  // namespace

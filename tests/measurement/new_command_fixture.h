@@ -56,16 +56,16 @@ class NewCommand : public testing::Test {
   }
 
   Outcome run_new(const std::vector<std::filesystem::path>& files) const {
-    std::vector<std::string> words{"new", opened().string(), "--from"};
+    std::vector<std::string> words{"new", rig().string(), "--from"};
     for (const std::filesystem::path& file : files) words.push_back(file.string());
     return run(words);
   }
 
   Outcome run_new_of(const std::filesystem::path& file, const std::string& robot) const {
-    return run({"new", opened().string(), "--from", file.string(), "--robot", (folder_.path() / robot).string()});
+    return run({"new", rig().string(), "--from", file.string(), "--robot", (folder_.path() / robot).string()});
   }
 
-  std::filesystem::path opened() const { return folder_.path() / "rig.toml"; }
+  std::filesystem::path rig() const { return folder_.path() / "rig.toml"; }
   std::filesystem::path robot() const { return folder_.path() / "rig-robot.toml"; }
 
   static std::string text_of(const std::filesystem::path& file) {
@@ -91,13 +91,13 @@ class NewCommand : public testing::Test {
 
   /// The draft is refused at its blanks, and accepted with its recordings once they are filled.
   Recording expect_a_draft_that_works() const {
-    EXPECT_THROW(read_experiment(opened()), BadInput);
-    fill(opened());
+    EXPECT_THROW(read_experiment(rig()), BadInput);
+    fill(rig());
     fill(robot());
     const Outcome checked =
-        run({"check", opened().string(), "--plugin-path", LACUNA_BINARY_DIRECTORY "/lib/lacuna/plugins"});
+        run({"check", rig().string(), "--plugin-path", LACUNA_BINARY_DIRECTORY "/lib/lacuna/plugins"});
     EXPECT_EQ(checked.code, 0) << checked.err;
-    const Experiment experiment = read_experiment(opened());
+    const Experiment experiment = read_experiment(rig());
     return read_recording(experiment.target.recording, experiment.model.declared.value());
   }
 
