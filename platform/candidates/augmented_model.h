@@ -21,7 +21,7 @@ AugmentedModel plain(const Experiment& experiment, const PluginCatalog& catalog,
 /// `plain` with these effects, in their order; `values` of the free values that it has then.
 AugmentedModel with_effects(const AugmentedModel& plain, const std::vector<EffectEntry>& added,
                             std::vector<double> values, const PluginCatalog& catalog);
-/// `contender` without the `which`-th of the effects that it has more than `plain`; the other values stay.
+/// `augmented` without the `which`-th of the effects that it has more than `plain`; the other values stay.
 AugmentedModel without(const AugmentedModel& augmented, std::size_t which, const AugmentedModel& plain,
                        const PluginCatalog& catalog);
 

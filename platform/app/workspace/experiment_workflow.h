@@ -28,7 +28,7 @@ enum class Entry {
 class ExperimentWorkflow {
  public:
   explicit ExperimentWorkflow(const CommonOptions& options);
-  /// For an experiment that was opened already; `rig` must outlive the bench.
+  /// For an experiment that was opened already; `opened` must outlive the workflow.
   ExperimentWorkflow(const CommonOptions& options, OpenExperiment opened, Entry entry = Entry::at_once);
 
   struct Fitted {
