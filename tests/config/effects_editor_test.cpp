@@ -158,7 +158,8 @@ TEST(EffectsEditor, RefusesWhatItCannotDo) {
   EXPECT_THAT(complaint_of_editing([&] { insert_effect(text, kFriction); }), HasSubstr("the id \"friction\" already"));
   EXPECT_THAT(complaint_of_editing([&] { remove_effect(text, "frictoin"); }), HasSubstr("did you mean \"friction\"?"));
   EXPECT_THAT(complaint_of_editing([] { insert_effect("[fit]\n", kFriction); }), HasSubstr("no section [model]"));
-  EXPECT_THAT(complaint_of_editing([] { insert_effect("[model]\neffects = 3\n", kFriction); }), HasSubstr("no list"));
+  EXPECT_THAT(complaint_of_editing([] { insert_effect("[model]\neffects = 3\n", kFriction); }),
+              HasSubstr("is not a list"));
   EXPECT_THAT(complaint_of_editing([] { insert_effect("[model\n", kFriction); }), HasSubstr("not TOML"));
 }
 

@@ -215,7 +215,7 @@ TEST(Rivals, MoreRestartsThanStructuresEndThePhase) {
 
 TEST(Rivals, NeedSeveralStructuresAndRestarts) {
   EXPECT_THAT([] { small_bench({"estimation.rivals=true"}); },
-              ThrowsMessage<BadInput>(AllOf(HasSubstr("restarts = 2"), HasSubstr("have one structure"))));
+              ThrowsMessage<BadInput>(AllOf(HasSubstr("restarts = 2"), HasSubstr("have the same structure"))));
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(Horizons, CutWhatModelsAreHeldAgainst) {
 
 TEST(Horizons, GrowAndAreLongerThanAStep) {
   EXPECT_THAT([] { small_bench({"estimation.horizons=[0.2,0.1]"}); },
-              ThrowsMessage<BadInput>(HasSubstr("horizons grow")));
+              ThrowsMessage<BadInput>(HasSubstr("horizons must grow")));
   EXPECT_THAT([] { small_bench({"estimation.horizons=[0.001]"}); },
               ThrowsMessage<BadInput>(HasSubstr("only the initial state would count")));
 }
@@ -113,7 +113,7 @@ TEST(EeaDefinition, WhatAFitnessRefusesStandsAtItsKeyBesideTheRest) {
       },
       ThrowsMessage<BadInput>(AllOf(HasSubstr("exploration.fitness_parameters"),
                                     HasSubstr("exploration.mix[0].parameters"), HasSubstr("whole number"),
-                                    HasSubstr("horizons grow"))));
+                                    HasSubstr("horizons must grow"))));
 }
 
 TEST(Stopping, ARandomTestIsWorthNothing) {
@@ -126,8 +126,8 @@ TEST(Stopping, ARandomTestIsWorthNothing) {
 
 TEST(EeaDefinition, DelaysThatAreProfiledNeedReplayedCommands) {
   EXPECT_THAT([] { small_bench({"estimation.profiled=['sensor.*.delay','body.*.mass','sensor.*.dealy']"}); },
-              ThrowsMessage<BadInput>(
-                  AllOf(HasSubstr("replay = true"), HasSubstr("no delay of a sensor"), HasSubstr("sensor.*.dealy"))));
+              ThrowsMessage<BadInput>(AllOf(HasSubstr("replay = true"), HasSubstr("is not a delay of a sensor"),
+                                            HasSubstr("sensor.*.dealy"))));
   EXPECT_THAT(
       [] {
         small_bench({"estimation.profiled=['sensor.*.delay']", "estimation.replay=true",

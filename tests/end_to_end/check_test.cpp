@@ -116,7 +116,7 @@ TEST_F(Check, RefusesARunThatWouldMeanNothing) {
     return outcome.errors;
   };
   EXPECT_THAT(refused("target.parameters.beacons=3"),
-              HasSubstr("\"range_right_arm_4\", which the target does not read"));
+              HasSubstr("\"range_right_arm_4\", which the target does not measure"));
   EXPECT_THAT(refused("test.duration=\"5 ms\""), HasSubstr("is shorter than one control period of 10.0 ms"));
   EXPECT_THAT(refused("target.parameters.arms_in_middle=0.3"), HasSubstr("arms_in_middle must be 0"));
   EXPECT_THAT(refused("model.encoding_parameters.lift=0.4"), HasSubstr("lift must be 0 or 1"));

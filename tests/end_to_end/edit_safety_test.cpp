@@ -194,7 +194,7 @@ TEST(NextCommand, HasTheDatabaseThatWasNamed) {
     return program.run(words).output;
   };
   EXPECT_THAT(output({"fit"}), HasSubstr("→ lacuna compare first-steps.toml --db other.db\n"));
-  EXPECT_THAT(output({"compare"}), HasSubstr("→ lacuna diagnose first-steps.toml --db other.db\n"));
+  EXPECT_THAT(output({"compare"}), HasSubstr("Next: lacuna diagnose first-steps.toml --db other.db\n"));
 }
 
 TEST(Report, OfAnEditedTextIsRefused) {

@@ -163,7 +163,7 @@ TEST_F(ExportedRows, OfAFullDiskLeaveNoFile) {
   for (const std::string name : {"trace.csv", "trace.npz", "trace.mcap"}) {
     const Outcome outcome = program_.shell("ulimit -f 80; lacuna export first-steps.db chirp.csv " + name);
     EXPECT_EQ(outcome.exit_code, 1) << outcome.errors;
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr(name + ": cannot be written to its end"), HasSubstr("disk not full")));
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr(name + ": cannot be written completely"), HasSubstr("disk not full")));
   }
   EXPECT_EQ(files(), before);
 }

@@ -145,7 +145,7 @@ TEST_F(OutsideRig, OfAnotherVersionIsAnotherTarget) {
   const Outcome fit = program_.run({"fit", "rig.toml", "--set", repaired});
   ASSERT_EQ(fit.exit_code, 0) << fit.errors;
   EXPECT_THAT(fit.output, HasSubstr("1 fit trial"));
-  EXPECT_THAT(fit.errors, HasSubstr("4 trials in rig.db are of another target.version and left out"));
+  EXPECT_THAT(fit.errors, HasSubstr("4 trials in rig.db are from another target.version and left out"));
   EXPECT_THAT(program_.run({"check", "rig.toml", "--set", repaired}).output, HasSubstr("4 trials in rig.db"));
 }
 

@@ -57,7 +57,7 @@ TEST_F(Plan, MergesToWhatOneProcessStores) {
   for (const char* number : {"2", "0", "1"}) lacuna("task run plan " + std::string(number) + " --quiet");
   EXPECT_THAT(lacuna("merge all.db plan"), HasSubstr("all.db: 3 runs added"));
   EXPECT_EQ(hashes("all.db"), hashes("serial.db"));
-  EXPECT_THAT(lacuna("merge all.db plan plan/shards/1.db"), HasSubstr("0 runs added, 4 there already"));
+  EXPECT_THAT(lacuna("merge all.db plan plan/shards/1.db"), HasSubstr("0 runs added, 4 already present"));
   EXPECT_EQ(hashes("all.db"), hashes("serial.db"));
   EXPECT_THAT(lacuna("verify all.db"), HasSubstr("3 runs as stored"));
 }
@@ -241,7 +241,7 @@ TEST_F(Plan, RefusesWhatCannotBePlanned) {
   program_.write("other.toml", program_.read("small.toml"));
   const Outcome refused = program_.shell("lacuna plan small.toml other.toml nothing.toml --out plan");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("nothing.toml"), HasSubstr("other.toml: is called small, as ")));
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("nothing.toml"), HasSubstr("other.toml: has the name small, which ")));
   EXPECT_EQ(program_.shell("lacuna plan small.toml --diagnose --out plan").exit_code, 2);
   EXPECT_EQ(program_.shell("lacuna plan small.toml --sweep experiment.passes=1,1 --out plan").exit_code, 2);
   const Outcome unknown = program_.shell("lacuna plan small.toml --sweep experiment.pases=1 --out plan");

@@ -53,8 +53,9 @@ class RobotFormatFiles : public testing::Test {
 TEST_F(RobotFormatFiles, AreCheckedWithWhatWasGuessedRepairedAndLeftOut) {
   const Outcome check = program_.run({"check", "arm.toml"});
   ASSERT_EQ(check.exit_code, 0) << check.errors;
-  EXPECT_THAT(check.output, AllOf(HasSubstr("joints    hinge"), HasSubstr("arm.urdf:3: repaired: the inertia of link"),
-                                  HasSubstr("left out: 1 velocity limit"), HasSubstr("guessed: link base is held")));
+  EXPECT_THAT(check.output,
+              AllOf(HasSubstr("joints    hinge"), HasSubstr("arm.urdf:3: repaired: the inertia of link"),
+                    HasSubstr("left out: 1 velocity limit"), HasSubstr("guessed: link base is fixed to the world")));
   const std::size_t first = check.output.find("repaired");
   EXPECT_EQ(check.output.find("repaired", first + 1), std::string::npos) << "model and target have one file";
 }
@@ -73,8 +74,8 @@ TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
   program_.write("arm.urdf", bad);
   const Outcome check = program_.run({"check", "arm.toml"});
   EXPECT_EQ(check.exit_code, 2);
-  EXPECT_THAT(check.errors, AllOf(HasSubstr("arm.urdf:4: mass's value \"1,0\" is no number"),
-                                  HasSubstr("arm.urdf:6: joint's type \"elastic\" is none")));
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("arm.urdf:4: mass's value \"1,0\" is not a number"),
+                                  HasSubstr("arm.urdf:6: joint's type \"elastic\" is unknown")));
   program_.write("arm.urdf", "");
   EXPECT_THAT(program_.run({"check", "arm.toml"}).errors, HasSubstr("arm.urdf: is not a complete XML document"));
   program_.write("arm.xml", kUrdfArm);
@@ -115,7 +116,7 @@ TEST_F(RobotFormatFiles, MayIncludeOthersBelowTheirFolder) {
   program_.write("parts/defaults.xml", "<mujocoinclude><default>\n<joint damping=\"x\"/></default></mujocoinclude>\n");
   const Outcome bad = program_.run(check);
   EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_THAT(bad.errors, HasSubstr("parts/defaults.xml:2: joint's damping \"x\" is no number"));
+  EXPECT_THAT(bad.errors, HasSubstr("parts/defaults.xml:2: joint's damping \"x\" is not a number"));
   std::string beyond = kScene;
   beyond.replace(beyond.find("parts/defaults.xml"), 18, "../arm.toml");
   program_.write("arm.xml", beyond);

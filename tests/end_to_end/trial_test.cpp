@@ -130,7 +130,7 @@ TEST_F(TrialCommand, SetsTheRigUpAsARecordingSays) {
     words.insert(words.end(), more.begin(), more.end());
     return program_.run(words);
   };
-  EXPECT_THAT(commands({}).output, HasSubstr("setup sine (body.arm.mass = 0.53 kg) (the first recording's)"));
+  EXPECT_THAT(commands({}).output, HasSubstr("setup sine (body.arm.mass = 0.53 kg), the first recording's"));
   const Outcome heavy = commands({"--setup", "steps"});
   EXPECT_THAT(heavy.output, HasSubstr("setup steps (body.arm.mass = 0.56 kg)\n"));
   EXPECT_THAT(heavy.output, HasSubstr("[[target.recording]]\nfile = \"new.csv\"\nset = { \"body.arm.mass\" = "
@@ -138,7 +138,7 @@ TEST_F(TrialCommand, SetsTheRigUpAsARecordingSays) {
   const Outcome unknown = commands({"--setup", "step"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.errors,
-              HasSubstr("there is no setup \"step\" (did you mean \"steps\"?); the recordings have sine "
+              HasSubstr("there is no setup \"step\" (did you mean \"steps\"?); the recordings have the setups sine "
                         "(body.arm.mass = 0.53 kg); steps (body.arm.mass = 0.56 kg)"));
   expect_refused(
       kTest,

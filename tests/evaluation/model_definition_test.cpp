@@ -237,7 +237,7 @@ TEST_F(DefineModel, RangesThatAnEffectCannotHaveAreRefused) {
   add_effect("b", "coulomb_friction", {"joint.hinge"}).range = {{"torque", {0.5, 1.0}}};
   add_effect("c", "coulomb_friction", {"joint.hinge"}).range = {{"torqe", {0.5, 1.0}}};
   EXPECT_THAT(problems(), testing::UnorderedElementsAre(HasSubstr("exceeds the range of coulomb_friction"),
-                                                        HasSubstr("the start, 0.00, lies outside"),
+                                                        HasSubstr("the start value, 0.00, lies outside"),
                                                         HasSubstr("did you mean \"torque\"?")));
 }
 

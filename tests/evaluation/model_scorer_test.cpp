@@ -165,7 +165,7 @@ TEST(ModelScorer, WithoutAMeasuredValueBlamesNeitherMetricNorModel) {
   trial.trial.measured.samples.setConstant(std::nan(""));
   const ModelScore score = score_of(ModelScorer(*rig.model, {trial}, metric(), 1), 1.0);
   EXPECT_EQ(score.kind, ScoreKind::invalid);
-  EXPECT_THAT(score.reason, testing::StartsWith("nothing was measured"));
+  EXPECT_THAT(score.reason, testing::StartsWith("no trial has a reading from which a score could be computed"));
 }
 
 TEST(ModelScorer, AValueOutOfBoundsIsInvalidWithItsReasonAndTheNextModelIsNot) {

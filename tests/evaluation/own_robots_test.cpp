@@ -160,7 +160,7 @@ TEST_F(CandidateDeskTest, ARobotThatCannotBeLeavesTheNextOneAlone) {
 TEST_F(CandidateDeskTest, WithoutADefinitionThereAreNoOwnRobots) {
   CandidateSimulator simulator(*shared_, nullptr);
   const ModelProposal own = proposal(2.0), plain;
-  EXPECT_THAT([&] { simulator.take(own); }, ThrowsMessage<Error>(HasSubstr("robot of its own")));
+  EXPECT_THAT([&] { simulator.take(own); }, ThrowsMessage<Error>(HasSubstr("with its own robot")));
   readings(simulator, plain);
 }
 

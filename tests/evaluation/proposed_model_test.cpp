@@ -153,7 +153,7 @@ TEST_F(ProposedModel, ARobotOfItsOwnMayDoWithoutEffectsToo) {
 
 TEST_F(ProposedModel, WithoutADefinitionAllEffectsStay) {
   CandidateSimulator simulator(*shared_, nullptr);
-  EXPECT_THAT([&] { simulator.take(without("a")); }, ThrowsMessage<Error>(HasSubstr("without some effects")));
+  EXPECT_THAT([&] { simulator.take(without("a")); }, ThrowsMessage<Error>(HasSubstr("without some of the effects")));
   readings(simulator, proposal());
 }
 

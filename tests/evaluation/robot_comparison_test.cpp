@@ -68,7 +68,7 @@ TEST(CompareRobots, NamesWhatOnlyOneHas) {
   wanted.actuators.push_back(motor);
   other.joints[0].axis = {1.0, 0.0, 0.0};
   EXPECT_THAT(compare_robots(wanted, other).other,
-              ElementsAre(HasSubstr("has no actuator motor"), HasSubstr("joint hinge stands elsewhere")));
+              ElementsAre(HasSubstr("has no actuator motor"), HasSubstr("joint hinge has another place in the file")));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(GuardedCall, AStandardExceptionIsNamedWithItsType) {
 
 TEST(GuardedCall, AForeignTypeIsNamed) {
   EXPECT_THAT([] { guarded_call(kOrigin, "amend", [] { throw rig::Trouble{}; }); },
-              ThrowsMessage<Error>(testing::HasSubstr("amend threw an object of type rig::Trouble; that is a fault")));
+              ThrowsMessage<Error>(testing::HasSubstr("amend threw an object of type rig::Trouble; this is a fault")));
   EXPECT_THAT([] { guarded_call(kOrigin, "amend", [] { throw 7; }); },
               ThrowsMessage<Error>(testing::HasSubstr("an object of type int")));
 }

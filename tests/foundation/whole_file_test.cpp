@@ -86,7 +86,7 @@ TEST_F(WholeFileTest, KeepsTheOldFileOnAFullDisk) {
     }
     ::_exit(0);
   };
-  EXPECT_EXIT(write_much(), testing::ExitedWithCode(3), "result.json: cannot be written to its end");
+  EXPECT_EXIT(write_much(), testing::ExitedWithCode(3), "result.json: cannot be written completely");
   EXPECT_EQ(read_bytes(file_), "old\n");
   EXPECT_THAT(names(), testing::ElementsAre("result.json"));
 }
@@ -178,7 +178,7 @@ TEST_F(WholeFileTest, FollowsALinkThatTheUserNamed) {
 TEST_F(WholeFileTest, RefusesLinksThatLeadInACircle) {
   fs::create_symlink("b.json", folder_ / "a.json");
   fs::create_symlink("a.json", folder_ / "b.json");
-  EXPECT_THAT(why_not_writable(folder_ / "a.json"), testing::Optional(HasSubstr("links lead in a circle")));
+  EXPECT_THAT(why_not_writable(folder_ / "a.json"), testing::Optional(HasSubstr("symbolic links form a circle")));
   EXPECT_THAT([&] { write_whole(folder_ / "a.json", "new\n", Link::followed); },
               testing::ThrowsMessage<Error>(HasSubstr("a.json: cannot be written: its symbolic links")));
   EXPECT_TRUE(fs::is_symlink(folder_ / "a.json") && fs::is_symlink(folder_ / "b.json"));
@@ -222,7 +222,7 @@ TEST_F(WholeFileTest, SaysWhenADeviceIsFull) {
     write_whole("/dev/full", "new\n", Link::followed);
     ADD_FAILURE() << "nothing was said";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("/dev/full: cannot be written to its end"));
+    EXPECT_THAT(error.what(), HasSubstr("/dev/full: cannot be written completely"));
   }
 }
 

@@ -89,7 +89,7 @@ TEST(Conformance, StagesAndOverriddenHooksGoTogether) {
 
 TEST(Conformance, EndingsOfFilesBeginWithADotAndAreNotTheHosts) {
   EXPECT_EQ(endings_problem({".mcap", ".db3"}, ".csv"), "");
-  EXPECT_THAT(endings_problem({}, ".csv"), HasSubstr("names no ending"));
+  EXPECT_THAT(endings_problem({}, ".csv"), HasSubstr("names no file ending"));
   EXPECT_THAT(endings_problem({".mcap", "db3"}, ".csv"), HasSubstr("files that end with \"db3\""));
   EXPECT_THAT(endings_problem({".csv"}, ".csv"), HasSubstr(".csv is taken"));
   EXPECT_EQ(endings_problem({".csv"}, ".toml"), "");

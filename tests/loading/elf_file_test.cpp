@@ -26,7 +26,7 @@ TEST_F(ElfFile, AWholeLibraryHasNoProblem) { EXPECT_THAT(elf_problem(folder_.wri
 TEST_F(ElfFile, EveryTruncationIsFound) {
   for (std::size_t size = 0; size < bytes_.size(); size += 61)
     EXPECT_FALSE(elf_problem(folder_.write("cut.so", bytes_.substr(0, size))).empty()) << size << " bytes";
-  EXPECT_THAT(elf_problem(folder_.write("cut.so", bytes_.substr(0, bytes_.size() - 1))), HasSubstr("cut short"));
+  EXPECT_THAT(elf_problem(folder_.write("cut.so", bytes_.substr(0, bytes_.size() - 1))), HasSubstr("is incomplete"));
 }
 
 TEST_F(ElfFile, TextIsNotALibrary) {

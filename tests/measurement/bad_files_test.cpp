@@ -44,7 +44,7 @@ std::vector<BadFile> refused_files() {
       {"only_blank_lines", "\n\n  \n", "run.csv: has no header", ""},
       {"only_comments", "# t,q,u\n# nothing\n", "run.csv: has no header", ""},
       {"only_header", "t,q,u\n", "run.csv: has a header but no samples", ""},
-      {"one_sample", "t,q,u\n0,1,2\n", "run.csv:2: trial run.csv has one sample only", ""},
+      {"one_sample", "t,q,u\n0,1,2\n", "run.csv:2: trial run.csv has only one sample", ""},
       {"no_header", kSamples, "run.csv:1: numbers instead of column names", ""},
       {"no_header_with_semicolons", "0;1;2\n0,1;1,5;2\n", "run.csv:1: numbers instead of column names", ""},
       {"missing_column", "t,p,u\n" + kSamples, "run.csv:1: no column `q`", ""},
@@ -80,9 +80,7 @@ std::vector<BadFile> refused_files() {
        "signs and delimiters at once",
        ""},
       {"whole_numbers_and_a_row_too_long", "t,q,u\n0,1,2\n0.1,1,2,5\n",
-       "run.csv:3: 4 cells where the header (line 1) "
-       "has 3 names; with decimal commas",
-       ""},
+       "run.csv:3: 4 cells, but the header (line 1) has 3 names; with decimal commas", ""},
       {"comma_and_point_mixed", "t;q;u\n0.0;1,5;2\n0.1;1.5;2\n", "for a decimal comma, all numbers", ""},
       {"open_quote", "t,q,u\n0,1,2\n0.1,\"1,2\n0.2,1,2\n", "run.csv:3: a quoted cell is not closed", ""},
       {"spreadsheet", "PK\x03\x04zip"s, "run.csv: is a spreadsheet", ""},
@@ -139,11 +137,11 @@ std::vector<BadFile> refused_files() {
        }},
       {"no_unit_at_all", "t,q,u\n" + kSamples, "rig.toml:7:1: `radiants` is not a unit", "",
        [](RecordingSource& source) { source.sensors[0].unit = "radiants"; }},
-      {"time_in_radians", "t,q,u\n" + kSamples, "rig.toml: the time column's unit `rad` is not one of time", "",
+      {"time_in_radians", "t,q,u\n" + kSamples, "rig.toml: the time column's unit `rad` is not a unit of time", "",
        [](RecordingSource& source) { source.time_unit = "rad"; }},
       {"two_columns_for_a_sensor", "t,q,u\n" + kSamples, "rig.toml:7:1: sensor channel angle has two columns", "",
        [](RecordingSource& source) { source.sensors.push_back(source.sensors[0]); }},
-      {"no_sensor", "t,q,u\n" + kSamples, "rig.toml: no column is measured", "",
+      {"no_sensor", "t,q,u\n" + kSamples, "rig.toml: no column is read", "",
        [](RecordingSource& source) { source.sensors.clear(); }},
   };
 }
@@ -177,7 +175,7 @@ std::vector<BadFile> readable_files() {
        "run.csv:3: the header was found in this line"},
       {"row_of_units", "t,q,u\ns,rad,Nm\n" + kSamples, "", "run.csv:2: a row of units, skipped"},
       {"row_of_other_units", "t,q,u\n[s],[deg],[Nm]\n" + kSamples, "",
-       "run.csv:2: the row of units says deg for column `q`, which is read in rad"},
+       "run.csv:2: the row of units states deg for column `q`, which is read in rad"},
       {"latin1_names",
        "t,q,u,Temp. [\xb0"
        "C]\n0,1,2,20\n0.1,1.5,2.5,20\n0.2,2,3,20\n",
@@ -306,7 +304,8 @@ TEST_F(OddFiles, AGivenStateInTheMiddleIsNoted) {
   RecordingSource source = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,2\n1,2,3\n2,3,2\n3,4,2\n"));
   source.use = {{2.0, 3.0}};
   source.initial["hinge"] = {.joint = {InitialKnowledge::given, 3.0, 0.0}};
-  EXPECT_THAT(notes_of(read_pendulum(source)), testing::HasSubstr("run.csv:4: target.initial gives the state here"));
+  EXPECT_THAT(notes_of(read_pendulum(source)),
+              testing::HasSubstr("run.csv:4: target.initial also gives the state here"));
 }
 
 TEST_F(OddFiles, RepeatedComplaintsAreCounted) {

@@ -49,7 +49,7 @@ TEST_F(CommandFileTest, SaysWhatIsWrong) {
   expect_refused("t [s],torque [N*m]\n0,1\n1,2\n", "hip [rad]");
   expect_refused("motor [N*m],hip [deg]\n0,1\n1,2\n", "no column of time");
   expect_refused("t [s],motor [deg]\n0,1\n1,2\n", "motor takes N*m");
-  expect_refused("t [s],motor [N*m]\n0,1\n0,2\n", "have to grow");
+  expect_refused("t [s],motor [N*m]\n0,1\n0,2\n", "must increase");
   expect_refused("t [s],motor [N*m]\n0,1\n1,\n", "motor");
   expect_refused("t [s],motor [N*m]\n0,1\n", "two rows");
 }

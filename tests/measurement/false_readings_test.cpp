@@ -124,7 +124,7 @@ TEST_F(FalseReadings, RepeatedReadingsAreUsedOnce) {
 TEST_F(FalseReadings, ACopyAndALostSignAreNoCommands) {
   EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return 2.5 * noisy_swing(i) - 0.25; })),
               HasSubstr("is a copy of the reading `q`"));
-  EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return std::abs(torque(i)); })), HasSubstr("its sign is lost"));
+  EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return std::abs(torque(i)); })), HasSubstr("its sign was lost"));
   EXPECT_THAT(notes_of(read(noisy_swing, torque)), IsEmpty());
   EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return 1.0 + torque(i); })), IsEmpty());
   EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return i / 40 % 2 == 0 ? 0.0 : 1.0; })), IsEmpty());

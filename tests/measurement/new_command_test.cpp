@@ -169,7 +169,7 @@ TEST_F(NewCommand, MatchesColumnsWithARobotThatIsThere) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("  joint  of the robot    unit   column     unit  matched by\n"
                                      "  pivot  sensor.encoder  rad    theta_deg  deg   the only column that fits\n"
-                                     "  pivot  sensor.tacho    rad/s  -                no column fits\n"
+                                     "  pivot  sensor.tacho    rad/s  -                no column matches\n"
                                      "  pivot  actuator.drive  N*m    i_A        A     the only column that fits\n"));
   const std::string text = text_of(rig());
   for (const char* line : {"file = \"mine.toml\"", "encoder = { column = \"theta_deg\", unit = \"deg\" }",

@@ -74,7 +74,7 @@ TEST_F(Plausibility, MillisecondsReadAsSecondsAreNoticed) {
 TEST_F(Plausibility, AVelocityOfTheOtherSignIsNoticed) {
   Swing swing;
   swing.rate = [](double t) { return -3.1416 * std::cos(3.1416 * t); };
-  EXPECT_THAT(notes(recorded(swing)), HasSubstr("column `w` against the slope of `q`: its opposite"));
+  EXPECT_THAT(notes(recorded(swing)), HasSubstr("column `w` against the slope of `q`: the signs of the two differ"));
 }
 
 TEST_F(Plausibility, AConstantSensorIsNoticed) {

@@ -312,7 +312,7 @@ TEST_F(ReadRecording, SaysWhatACommandAtTheStartIsMissing) {
   const std::string complaint = complaint_of(source);
   EXPECT_THAT(complaint, HasSubstr("target.initial.hinge.command: target.commands has no actuator `hinge`"));
   EXPECT_THAT(complaint, HasSubstr("no actuator `motr` (did you mean"));
-  EXPECT_THAT(complaint, HasSubstr("target.initial.motor says nothing of the actuator"));
+  EXPECT_THAT(complaint, HasSubstr("target.initial.motor does not give the actuator's state"));
   source.initial = {{"motor", {.joint = {InitialKnowledge::given, 0.0, 0.0}, .command = 0.0}}};
   EXPECT_THAT(complaint_of(source), HasSubstr("target.initial names `motor`")) << "a motor has no position";
 }

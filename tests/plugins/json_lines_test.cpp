@@ -77,7 +77,7 @@ TEST_F(JsonLines, LeaveOutALastLineThatBreaksOff) {
 
 TEST_F(JsonLines, AreRefusedWithTheLine) {
   EXPECT_THAT(format_.problems(file("{\"q\": 1}\n{\"q\": }\nq\n")),
-              ElementsAre(HasSubstr("2: the line is not JSON: there is no value at character 7"), HasSubstr("3: ")));
+              ElementsAre(HasSubstr("2: the line is not JSON: a value is missing at character 7"), HasSubstr("3: ")));
   EXPECT_THAT(format_.problems(file("{\"q\": 01}\n\n")), ElementsAre(HasSubstr("begins with 0")));
   EXPECT_THAT(format_.problems(file("{\"q\": 1} {\"q\": 2}\n")), ElementsAre(HasSubstr("text follows its end")));
   EXPECT_THAT(format_.problems(file("5\n")), ElementsAre(HasSubstr("1: the line is a single value")));

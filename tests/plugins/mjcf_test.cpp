@@ -178,7 +178,7 @@ TEST(Mjcf, ReadsWhatItIncludes) {
     return read_mjcf(mujoco("<worldbody><include file=\"" + file + "\"/></worldbody>"), RobotBase::as_written, &parts);
   };
   EXPECT_EQ(with("parts/arm.xml").robot.bodies.at(0).name, "arm");
-  EXPECT_THAT(with("loop.xml").problems.at(0).text, HasSubstr("is a part of this model already"));
+  EXPECT_THAT(with("loop.xml").problems.at(0).text, HasSubstr("is already a part of this model"));
   EXPECT_EQ(with("loop.xml").problems.at(0).file, "loop.xml");
   EXPECT_THAT(with("../secret.xml").problems.at(0).text, HasSubstr("is not in the folder of the robot file"));
   const ReadRobot bad =

@@ -35,7 +35,7 @@ TEST_F(Rosbag2, HasATableForEachTopicWithNumbers) {
     EXPECT_THAT(format_.columns(recorded_by_others(bag), "/effort_controller/commands"),
                 ElementsAre("t", "log_time", "data[0]"));
     EXPECT_THAT(FormatUnderTest::texts(found.remarks),
-                ElementsAre(HasSubstr("/robot_description holds a robot description")));
+                ElementsAre(HasSubstr("/robot_description contains a robot description")));
   }
 }
 
@@ -62,7 +62,7 @@ TEST_F(Rosbag2, ReadsSeveralTopicsInOnePass) {
     }
     EXPECT_EQ(states.origins[1], 1.7e9);
     EXPECT_THAT(FormatUnderTest::texts(read.remarks),
-                ElementsAre(HasSubstr("of /effort_controller/commands are those of recording"),
+                ElementsAre(HasSubstr("of /effort_controller/commands are the times of recording"),
                             AllOf(HasSubstr("of /joint_states are the stamps"), HasSubstr("log_time"))));
   }
 }
@@ -173,12 +173,12 @@ TEST_F(Rosbag2, RefusesWithTheReason) {
   EXPECT_THAT(problem(chunk.whole()), ElementsAre(HasSubstr("compressed with \"lzma\"")));
   McapBytes liar;
   liar.chunk("", 4, "abc");
-  EXPECT_THAT(problem(liar.whole()), ElementsAre(HasSubstr("unpacks to 3 bytes where it says 4")));
+  EXPECT_THAT(problem(liar.whole()), ElementsAre(HasSubstr("unpacks to 3 bytes but states 4")));
   McapBytes damaged;
   damaged.chunk("zstd", 4, "\x28\xb5\x2f\xfd_abc");
   EXPECT_THAT(problem(damaged.whole()), ElementsAre(HasSubstr("compressed with zstd cannot be unpacked")));
   EXPECT_THAT(format_.problems(folder_.write("run.db3", "no database, and longer than nothing").string()),
-              ElementsAre(HasSubstr("SQLite says")));
+              ElementsAre(HasSubstr("SQLite reports")));
 }
 
 TEST_F(Rosbag2, TypesThatContainThemselvesAreLeftOut) {

@@ -212,7 +212,11 @@ TEST_F(CmaEsTest, AGenomeOfOneGeneIsNoTrouble) {
 }
 
 TEST_F(CmaEsTest, NeedsTwo) {
-  EXPECT_THAT([&] { begin("cma_es", {1, 2, 0.3}); }, ThrowsMessage<Error>(HasSubstr("population of 1")));
+  EXPECT_THAT(
+      [&] {
+        begin("cma_es", {1, 2, 0.3});
+      },
+      ThrowsMessage<Error>(HasSubstr("needs a population of at least 2")));
 }
 
 class PairedTournamentTest : public SearchTest {

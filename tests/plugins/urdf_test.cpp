@@ -267,8 +267,8 @@ TEST(Urdf, NamesElementsAsTheProgramCan) {
 
 TEST(Urdf, TakesNothingForANumberThatIsNone) {
   const std::string comma = "<inertial><mass value=\"1,5\"/></inertial>";
-  EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is no number"));
-  EXPECT_THAT(only_problem(one_link("<inertial><mass value=\"nan\"/></inertial>")), HasSubstr("is no number"));
+  EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is not a number"));
+  EXPECT_THAT(only_problem(one_link("<inertial><mass value=\"nan\"/></inertial>")), HasSubstr("is not a number"));
   EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 1\"/>")), HasSubstr("must be three numbers"));
   EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 0 0\"/>")), HasSubstr("has no direction"));
   EXPECT_EQ(read(one_link(comma)).problems.front().line, 3);
@@ -285,7 +285,7 @@ TEST(Urdf, SaysWhatIsWrongWithATree) {
                                  joint("k", "fixed", "b", "c"))),
               HasSubstr("is the child of two joints"));
   EXPECT_THAT(only_problem(robot(link("a") + link("b") + joint("j", "elastic", "a", "b"))),
-              HasSubstr("\"elastic\" is none"));
+              HasSubstr("\"elastic\" is unknown"));
 }
 
 /// As old xacro writes it, a comment first.
@@ -316,13 +316,13 @@ TEST(Urdf, RefusesWhatIsNoUrdf) {
 TEST(Urdf, DoesNotExpandEntities) {
   EXPECT_THAT(only_problem("<!DOCTYPE r [<!ENTITY a \"1\"><!ENTITY b \"&a;&a;\">]>" +
                            one_link("<inertial><mass value=\"&b;\"/></inertial>")),
-              HasSubstr("\"&b;\" is no number"));
+              HasSubstr("\"&b;\" is not a number"));
 }
 
 TEST(Urdf, TakesNoInertiaThatIsNoNumber) {
   EXPECT_THAT(
       only_problem(one_link("<inertial><mass value=\"1\"/>\n<inertia ixx=\"NaN\" iyy=\"1\" izz=\"1\"/></inertial>")),
-      HasSubstr("inertia's ixx \"NaN\" is no number"));
+      HasSubstr("inertia's ixx \"NaN\" is not a number"));
 }
 
 /// A chain of as many links as nobody builds ends, too.

@@ -59,7 +59,7 @@ TEST(ComparisonText, ShowsTheFloorOfAFileWhereItIsAnotherOne) {
   comparison.trials.back().held_out = true;
   comparison.trials.back().channels.front().floor = 5e-3;
   comparison.trials.back().channels.front().times_floor = 0.4;
-  EXPECT_THAT(comparison_text({}, comparison, {}), HasSubstr("0.4 of 5.00 mrad"));
+  EXPECT_THAT(comparison_text({}, comparison, {}), HasSubstr("0.4 (floor 5.00 mrad)"));
 }
 
 TEST(ComparisonText, NamesTheShareOfTheStartWhereItMatters) {

@@ -99,7 +99,7 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("verdict effect_found · probability 0.97 (uncalibrated)"));
   EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N*m"));
   EXPECT_THAT(text, HasSubstr("indistinguishable on these data: stribeck_friction @ joint.hinge"));
-  EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]  1.1 × floor"));
+  EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]   1.1 × floor"));
   EXPECT_THAT(text,
               HasSubstr("43 candidates were tried; noise alone gains as much as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));

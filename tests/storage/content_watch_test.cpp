@@ -63,7 +63,8 @@ class WrittenOver : public testing::Test {
   std::filesystem::path file_ = folder_ / "rig.db", log_ = folder_ / "rig.db-wal";
 };
 
-constexpr const char* kNoticed = "rig.db: was overwritten by another program while it was open; it stays as it is now";
+constexpr const char* kNoticed =
+    "rig.db: was overwritten by another program while it was open; it stays as it is, and nothing more is written";
 
 TEST_F(WrittenOver, ByAnotherDatabaseIsNoticedAtTheNextCommit) {
   const std::string theirs = another();

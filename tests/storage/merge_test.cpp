@@ -175,7 +175,7 @@ TEST_F(MergeTest, NoShardIsMergedWhereALaterOneHasMoreOfItsRun) {
   EXPECT_THAT(test::sentence_of([&] {
                 merged({file("a.db"), file("b.db")});
               }),
-              testing::AllOf(HasSubstr("b.db: run 1 is run 1 of "),
+              testing::AllOf(HasSubstr("b.db: run 1 is also run 1 of "),
                              HasSubstr("a.db, in an earlier state; leave out that one")));
   EXPECT_EQ(asked("SELECT count(*) FROM run"), 0);
 }
@@ -221,7 +221,8 @@ TEST_F(MergeTest, ShardsThatContradictThemselvesAreRefused) {
               HasSubstr("c.db: a row of holdout_look refers to a missing row of experiment"));
   EXPECT_THAT(refusal("DROP TABLE work_time"),
               HasSubstr("c.db: table work_time differs from the one that this program makes"));
-  EXPECT_THAT(refusal("ALTER TABLE fit ADD COLUMN more TEXT"), HasSubstr("table fit is not"));
+  EXPECT_THAT(refusal("ALTER TABLE fit ADD COLUMN more TEXT"),
+              HasSubstr("table fit differs from the one that this program makes"));
   EXPECT_THAT(refusal("UPDATE experiment SET id = 7; UPDATE experiment_text SET experiment = 7;"
                       "UPDATE revision SET experiment = 7; UPDATE trial SET experiment = 7;"
                       "UPDATE holdout_look SET experiment = 7"),

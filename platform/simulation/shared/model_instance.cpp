@@ -50,8 +50,8 @@ void add_effect_places(const ModelStructure& structure, std::vector<Place>& plac
 std::string unknown_address(const std::string& address, const std::vector<Place>& places) {
   std::vector<std::string> known;
   for (const Place& place : places) known.push_back(place.address);
-  return "\" is not a value of the robot or of its effects" + address +
-         "\" is no value of the robot or of its effects" + did_you_mean(address, known);
+  return "the parameter \"" + address + "\" is not a value of the robot or of its effects" +
+         did_you_mean(address, known);
 }
 
 std::string bounds_complaint(const VariableParameter& parameter, const Place& place) {

@@ -30,8 +30,8 @@ void check_series(const CommandSeries& commands, const RobotSpec& robot) {
   for (const ActuatorSpec& actuator : robot.actuators) actuators.push_back(actuator.name);
   for (const Channel& channel : series.channels)
     if (index_of(robot.actuators, channel.name) < 0)
-      throw Error("\" does not have the name of an actuator of the robot" + channel.name +
-                  "\" is not called like an actuator of the robot" + did_you_mean(channel.name, actuators));
+      throw Error("the command channel \"" + channel.name + "\" does not have the name of an actuator of the robot" +
+                  did_you_mean(channel.name, actuators));
 }
 
 }  // namespace

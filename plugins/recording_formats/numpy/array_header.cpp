@@ -48,7 +48,7 @@ class HeaderParser {
 
  private:
   [[noreturn]] static void fail(const std::string& what) {
-    throw BadFile(", which is not a header of an .npy file " + what + ", which is no header of an .npy file" + kAnew);
+    throw BadFile("its header " + what + ", which is not a header of an .npy file" + kAnew);
   }
   void skip_space() {
     while (place_ < text_.size() && std::strchr(" \t\n\r", text_[place_]) && text_[place_] != '\0') ++place_;

@@ -56,12 +56,14 @@ TEST_F(Shapes, AreNotThoseOfRunsThatHaveNotEnded) {
   const Outcome drawn = shapes("shape.db");
   ASSERT_EQ(drawn.exit_code, kDone) << drawn.errors;
   EXPECT_THAT(drawn.output, ContainsRegex("small_shape +1 "));
-  EXPECT_THAT(drawn.errors, HasSubstr("small_shape: 2 runs left out, not ended; lacuna run FILE --resume"));
+  EXPECT_THAT(
+      drawn.errors,
+      HasSubstr("small_shape: 2 runs left out, not ended; to continue interrupted runs: lacuna run FILE --resume"));
   ASSERT_EQ(end_as("'failed'", "= 1").exit_code, 0);
   const Outcome named = shapes("shape.db --experiment small_shape");
   EXPECT_EQ(named.exit_code, kBadInput);
   EXPECT_THAT(named.errors, HasSubstr("no run of small_shape has ended"));
-  EXPECT_THAT(shapes("shape.db").errors, HasSubstr("has no run that has ended"));
+  EXPECT_THAT(shapes("shape.db").errors, HasSubstr("has no finished run"));
 }
 
 TEST_F(Shapes, AreMissedWhereNoRunHasThem) {
@@ -80,7 +82,7 @@ TEST_F(Shapes, PassOverRunsWithoutUnlessTheyAreAskedFor) {
   EXPECT_THAT(all.output, Not(ContainsRegex("small +1 ")));
   const Outcome named = shapes("both.db --experiment small");
   EXPECT_EQ(named.exit_code, kBadInput);
-  EXPECT_THAT(named.errors, HasSubstr("the runs of small do not say"));
+  EXPECT_THAT(named.errors, HasSubstr("the runs of small have no distance of parts"));
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ TEST(CompileErrors, RepeatedNames) {
   RobotSpec robot = pendulum();
   robot.sensors.push_back(robot.sensors[0]);
   robot.actuators.push_back(robot.actuators[0]);
-  EXPECT_THAT(complaint(robot), HasSubstr("two sensors of the robot are called \"angle\""));
-  EXPECT_THAT(complaint(robot), HasSubstr("two actuators of the robot are called \"motor\""));
+  EXPECT_THAT(complaint(robot), HasSubstr("two sensors of the robot have the name \"angle\""));
+  EXPECT_THAT(complaint(robot), HasSubstr("two actuators of the robot have the name \"motor\""));
 }
 
 TEST(CompileErrors, ActuatorsOnJointsWithoutAnAxis) {
@@ -129,7 +129,7 @@ TEST(CompileErrors, AxesStopsShapesAndGaps) {
 TEST(CompileErrors, ParameterAddresses) {
   ModelStructure structure{.robot = pendulum(), .effects = {}, .parameters = {{"body.rod.mas", 0.0, 1.0}}};
   EXPECT_THAT(complaint(structure),
-              HasSubstr("\"body.rod.mas\" is no value of the robot or of its effects (did you mean "
+              HasSubstr("\"body.rod.mas\" is not a value of the robot or of its effects (did you mean "
                         "\"body.rod.mass\"?)"));
   structure.parameters = {{"body.rod.mass", 2.0, 1.0}};
   EXPECT_THAT(complaint(structure), HasSubstr("its lower bound above its upper bound"));
