@@ -69,7 +69,7 @@ TEST(EncoderBacklash, RefusesSensorsThatAreNoEncodersOfADrivenJoint) {
   };
   EXPECT_THAT([&] { on(1); }, testing::ThrowsMessage<Error>(testing::HasSubstr("sensor.velocity reads no joint pos")));
   robot.actuators.clear();
-  EXPECT_THAT([&] { on(0); }, testing::ThrowsMessage<Error>(testing::HasSubstr("which no actuator drives")));
+  EXPECT_THAT([&] { on(0); }, testing::ThrowsMessage<Error>(testing::HasSubstr("which has no actuator")));
 }
 
 }  // namespace

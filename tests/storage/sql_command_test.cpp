@@ -73,7 +73,7 @@ TEST_F(SqlCommand, WritesJsonToAFile) {
 
 TEST_F(SqlCommand, ListsTheViewsWithExamples) {
   EXPECT_EQ(lacuna_sql({file_, "--views"}), kDone);
-  EXPECT_THAT(said_, HasSubstr("error_by_revision\n  One row a revision and channel"));
+  EXPECT_THAT(said_, HasSubstr("error_by_revision\n  One row per revision and channel"));
   EXPECT_THAT(said_, HasSubstr("\n  SELECT revision, change, channel"));
 }
 
