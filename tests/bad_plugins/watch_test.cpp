@@ -82,7 +82,7 @@ TEST_F(HostilePlugin, WhoseSearchNeverBeginsIsEndedAndNamed) {
                                  "run small.toml --evaluation-limit 1 --set 'estimation.search=\"hostile_search\"'"
                                  " --set 'estimation.parameters={}'");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.errors, HasSubstr("search \"hostile_search\" (" + file() + "): begin took longer than 10 s"));
+  EXPECT_THAT(outcome.errors, HasSubstr("search \"hostile_search\" (" + file() + "): begin took longer than the limit, 10 s"));
 }
 
 TEST_F(HostilePlugin, ThatStopsTheProcessAgainAndAgainIsEndedAndNamed) {
