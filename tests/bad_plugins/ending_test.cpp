@@ -220,7 +220,8 @@ TEST_F(HostilePlugin, IsNamedByAFit) {
 TEST_F(HostilePlugin, IsLeftOutOfADiagnosisThatGoesOn) {
   if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes";
   program_.copy_first_steps();
-  for (const auto& [deed, what] : {std::pair{"segfault", "by signal 11"}, std::pair{"hang", "took longer than the limit, 2 s"}}) {
+  for (const auto& [deed, what] :
+       {std::pair{"segfault", "by signal 11"}, std::pair{"hang", "took longer than the limit, 2 s"}}) {
     program_.shell("rm -f *.db");
     const Outcome outcome =
         lacuna(std::string("add_loads ") + deed, "diagnose first-steps.toml --evaluation-limit 2 --quiet");
