@@ -80,7 +80,7 @@ export class StaticSource implements Source {
     if (this.asked || !this.worker || this.queue.length === 0) return;
     this.asked = this.queue.shift()!;
     this.timer = window.setTimeout(
-      () => this.startAgain(`the query takes longer than ${kLongest / 1000} s and was ended`),
+      () => this.startAgain(`the query took longer than ${kLongest / 1000} s and was stopped`),
       kLongest,
     );
     this.worker.postMessage(this.asked.query satisfies Request);

@@ -106,7 +106,7 @@ function answer(query: Query): Answer {
     const found = rowsOf(next.value, query);
     table = { kind: 'table', columns: next.value.getColumnNames(), ...found };
   }
-  if (!table) throw new Error('no SQL statement; try SELECT * FROM error_by_revision');
+  if (!table) throw new Error('there is no statement; try SELECT * FROM error_by_revision');
   return table;
 }
 

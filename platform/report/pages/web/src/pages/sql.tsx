@@ -35,7 +35,7 @@ const kRowsOnPaper = 12; // more scroll
 
 /** Of a table that there is not, the program would advise a command; here the list stands beside. */
 const withAdvice = (message: string) =>
-  message.replace(/(no such table: \S+?)(; `lacuna sql .*)?$/, '$1; see “Views” for the existing ones');
+  message.replace(/(no such table: \S+?)(; to list the views: .*)?$/, '$1; see “Views” for the existing ones');
 
 interface Has {
   revisions: number;
