@@ -15,9 +15,9 @@ constexpr std::size_t kSetsOfEffects = 32;  // kept compiled: 30 kB each of a qu
 }  // namespace
 
 /// A compiled model with memory to simulate it in.
-struct CandidateSimulator::Bench {
-  explicit Bench(const CompiledModel& shared) : model(shared), workspace(model.make_workspace()) {}
-  Bench(const ModelProposal& of, const ModelDefinition& definition)
+struct CandidateSimulator::CompiledCandidate {
+  explicit CompiledCandidate(const CompiledModel& shared) : model(shared), workspace(model.make_workspace()) {}
+  CompiledCandidate(const ModelProposal& of, const ModelDefinition& definition)
       : robot(of.robot),
         without(of.without),
         values(kept_values(of, definition)),
@@ -36,16 +36,18 @@ struct CandidateSimulator::Bench {
 };
 
 CandidateSimulator::CandidateSimulator(const CompiledModel& shared, const ModelDefinition* definition, std::size_t kept)
-    : definition_(definition), kept_(std::max<std::size_t>(kept, 1)), shared_(std::make_unique<Bench>(shared)) {}
+    : definition_(definition),
+      kept_(std::max<std::size_t>(kept, 1)),
+      shared_(std::make_unique<CompiledCandidate>(shared)) {}
 
 CandidateSimulator::~CandidateSimulator() = default;
 CandidateSimulator::CandidateSimulator(CandidateSimulator&&) noexcept = default;
 
 void CandidateSimulator::take(const ModelProposal& candidate) {
   if (candidate.robot)
-    taken_ = &bench_of(candidate, own_, kept_);
+    taken_ = &compiled_for(candidate, own_, kept_);
   else if (!candidate.without.empty())
-    taken_ = &bench_of(candidate, switched_, kSetsOfEffects);
+    taken_ = &compiled_for(candidate, switched_, kSetsOfEffects);
   else
     taken_ = shared_.get();
   values_ = candidate.values;
@@ -55,21 +57,22 @@ void CandidateSimulator::take(const ModelProposal& candidate) {
   values_ = kept_values_;
 }
 
-const CandidateSimulator::Bench& CandidateSimulator::bench_of(const ModelProposal& candidate, Benches& benches,
-                                                              std::size_t most) {
+const CandidateSimulator::CompiledCandidate& CandidateSimulator::compiled_for(const ModelProposal& candidate,
+                                                                              CompiledCandidates& compiled,
+                                                                              std::size_t most) {
   const auto known =
-      std::find_if(benches.begin(), benches.end(), [&](const auto& bench) { return bench->is_of(candidate); });
-  if (known != benches.end()) {
-    std::rotate(known, known + 1, benches.end());
-    return *benches.back();
+      std::find_if(compiled.begin(), compiled.end(), [&](const auto& one) { return one->is_of(candidate); });
+  if (known != compiled.end()) {
+    std::rotate(known, known + 1, compiled.end());
+    return *compiled.back();
   }
   if (!definition_)
     throw Error(
         "a model with its own robot, or without some of the effects, can only be simulated in the phases of the "
         "algorithm");
-  benches.push_back(std::make_unique<Bench>(candidate, *definition_));
-  if (benches.size() > most) benches.erase(benches.begin());
-  return *benches.back();
+  compiled.push_back(std::make_unique<CompiledCandidate>(candidate, *definition_));
+  if (compiled.size() > most) compiled.erase(compiled.begin());
+  return *compiled.back();
 }
 
 void CandidateSimulator::simulate(const Test& test, const SimulationOptions& options, SimulationResult& result) {
