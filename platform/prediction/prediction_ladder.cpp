@@ -58,6 +58,26 @@ bool starts_at_the_beginning_alone(const LadderSource& source, std::size_t trial
          !source.states.unmeasured(trial).empty();
 }
 
+std::map<std::string, std::size_t> index_of(const std::vector<ChannelNoise>& noise) {
+  std::map<std::string, std::size_t> index;
+  for (std::size_t c = 0; c < noise.size(); ++c) index[noise[c].channel] = c;
+  return index;
+}
+
+/// `blocks`: by sample of the trial.
+void add_readings(const TimeSeries& measured, const std::vector<std::size_t>& blocks,
+                  const std::map<std::string, std::size_t>& channel_index, PredictedStretch& result) {
+  const Stretch& stretch = result.stretch;
+  for (Eigen::Index row = 1; row < stretch.size(); ++row)
+    for (Eigen::Index column = 0; column < measured.samples.cols(); ++column) {
+      if (!std::isfinite(measured.samples(stretch.first + row, column))) continue;
+      result.rows.push_back(row);
+      result.columns.push_back(column);
+      result.channels.push_back(channel_index.at(measured.channels[static_cast<std::size_t>(column)].name));
+      result.blocks.push_back(blocks[static_cast<std::size_t>(stretch.first + row)]);
+    }
+}
+
 PredictedStretch stretch_from(const LadderSource& source, const Stretch& stretch, std::size_t length,
                               const std::vector<std::size_t>& blocks,
                               const std::map<std::string, std::size_t>& channel_index) {
@@ -76,14 +96,7 @@ PredictedStretch stretch_from(const LadderSource& source, const Stretch& stretch
     for (Eigen::Index j = 0; j < size; ++j)
       result.covariance(i, j) =
           whole(result.unknown[static_cast<std::size_t>(i)], result.unknown[static_cast<std::size_t>(j)]);
-  for (Eigen::Index row = 1; row < stretch.size(); ++row)
-    for (Eigen::Index column = 0; column < measured.samples.cols(); ++column) {
-      if (!std::isfinite(measured.samples(stretch.first + row, column))) continue;
-      result.rows.push_back(row);
-      result.columns.push_back(column);
-      result.channels.push_back(channel_index.at(measured.channels[static_cast<std::size_t>(column)].name));
-      result.blocks.push_back(blocks[static_cast<std::size_t>(stretch.first + row)]);
-    }
+  add_readings(measured, blocks, channel_index, result);
   return result;
 }
 
@@ -140,14 +153,32 @@ PredictionLadder ladder_of(const LadderSource& source, std::vector<double> lengt
   const TimeBlocksOfTrials blocks = blocks_of(source.predictor.trials(), source.held_out);
   set_folds(blocks, ladder.layout);
   ladder.layout.lengths = ladder.lengths.size();
-  std::map<std::string, std::size_t> channel_index;
-  for (std::size_t c = 0; c < ladder.noise.size(); ++c) channel_index[ladder.noise[c].channel] = c;
+  const std::map<std::string, std::size_t> channel_index = index_of(ladder.noise);
   for (std::size_t h = 0; h < ladder.lengths.size(); ++h) {
     for (std::size_t c = 0; c < ladder.noise.size(); ++c) ladder.layout.cells.push_back({h, 0.0});
     for (const Stretch& stretch : spread(tiles(source, ladder.lengths[h]), most)) {
       PredictedStretch one = stretch_from(source, stretch, h, blocks.of_sample[stretch.trial], channel_index);
       if (one.covariance.allFinite())
         ladder.stretches.push_back(std::move(one));  // else the readings do not determine it
+    }
+  }
+  set_weights(source.robot, ladder);
+  return ladder;
+}
+
+PredictionLadder ladder_of_pairs(const LadderSource& source, const std::vector<Trial>& pairs, Eigen::Index stride,
+                                 double length) {
+  PredictionLadder ladder{{length}, {}, source.noise, {}};
+  ladder.layout = {std::vector<Cell>(ladder.noise.size()), 1, {0}, 1};
+  const std::map<std::string, std::size_t> channel_index = index_of(ladder.noise);
+  for (std::size_t t = 0; t < pairs.size(); ++t) {
+    const std::vector<std::size_t> one_block(static_cast<std::size_t>(pairs[t].measured.times.size()), 0);
+    for (Eigen::Index first = 0; !pairs[t].held_out && first < pairs[t].measured.times.size(); first += 2) {
+      PredictedStretch pair;
+      pair.stretch = {t, first, first + 2};
+      pair.start = source.starts.at(t, first / 2 * stride).start;
+      add_readings(pairs[t].measured, one_block, channel_index, pair);
+      ladder.stretches.push_back(std::move(pair));
     }
   }
   set_weights(source.robot, ladder);

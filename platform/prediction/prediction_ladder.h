@@ -48,6 +48,11 @@ struct LadderSource {
 /// length, evenly spread.
 PredictionLadder ladder_of(const LadderSource& source, std::vector<double> lengths, std::size_t most);
 
+/// One length, whose stretches are pairs of samples: the `pairs` of a trial follow each other, begin at every
+/// `stride`-th sample of the trial of the source and are `length` s long. Their starts are exact.
+PredictionLadder ladder_of_pairs(const LadderSource& source, const std::vector<Trial>& pairs, Eigen::Index stride,
+                                 double length);
+
 /// By channel, the element of its sensor.
 std::vector<std::string> joints_of(const RobotSpec& robot, const std::vector<ChannelNoise>& noise);
 

@@ -53,6 +53,23 @@ double SmoothedStarts::reading_noise(std::size_t trial, Eigen::Index channel) co
   return noise_[trial][static_cast<std::size_t>(channel)];
 }
 
+Eigen::VectorXd SmoothedStarts::readings_after(std::size_t trial, Eigen::Index sample, double later) const {
+  Eigen::VectorXd readings =
+      Eigen::VectorXd::Constant(trials_[trial].measured.samples.cols(), std::numeric_limits<double>::quiet_NaN());
+  const auto i = static_cast<std::size_t>(sample);
+  for (int c = 0; c < states_.coordinates(); ++c) {
+    const SmoothedCoordinate& own = coordinates_[trial][static_cast<std::size_t>(c)];
+    if (!own.motion) continue;
+    const double change = later * own.motion->accelerations[i], velocity = own.motion->velocities[i] + change;
+    const double position = own.motion->positions[i] + later * (velocity - 0.5 * change);
+    const auto &of_position = states_.position_reading(trial, c), &of_velocity = states_.velocity_reading(trial, c);
+    readings(of_position->channel) = of_position->scale * position + of_position->offset;
+    if (of_velocity && of_velocity->others == of_position->others)
+      readings(of_velocity->channel) = of_velocity->scale * velocity + of_velocity->offset;
+  }
+  return readings;
+}
+
 /// From the nearest sample, extrapolated with its acceleration.
 SmoothedStarts::Change SmoothedStarts::change_within(std::size_t trial, Eigen::Index sample,
                                                      const SmoothedMotion& motion, double seconds) const {

@@ -24,6 +24,10 @@ class SmoothedStarts {
   /// by measured channel, s.
   void move_later(std::size_t trial, Eigen::Index sample, const std::vector<double>& lateness, StartState& start) const;
 
+  /// What the channels that determine coordinates would read a moment after a sample if its smoothed acceleration
+  /// lasted, without noise; by measured channel, NaN for the others. `later`: s.
+  Eigen::VectorXd readings_after(std::size_t trial, Eigen::Index sample, double later) const;
+
   /// Standard deviation of a position's reading as found by the smoother, in the channel's unit; NaN where it was not
   /// estimated.
   double reading_noise(std::size_t trial, Eigen::Index channel) const;
