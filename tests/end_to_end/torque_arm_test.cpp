@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <random>
 #include <sstream>
@@ -136,6 +138,30 @@ TEST(TorqueDrivenArm, IsDraftedAndComparedOverASecond) {
   ASSERT_EQ(compared.exit_code, 0) << compared.errors;
   EXPECT_LT(processor_time_of_children() - before, 30.0) << "s";
   EXPECT_THAT(compared.output, HasSubstr("predictions restart from the readings every 1 s"));
+}
+
+/// Friction differs from joint to joint, and a large armature, with which joints hardly move, explains more of the
+/// error than either kind of friction alone.
+TEST(TorqueDrivenArm, IsToldTheFrictionOfEachJoint) {
+  const Program program;
+  program.write("arm.urdf", urdf());
+  program.write("run.csv", recording());
+  ASSERT_EQ(program.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", "run.csv"}).exit_code, 0);
+  const Outcome outcome =
+      program.run({"diagnose", "rig.toml", "--among", "armature", "viscous_friction", "coulomb_friction", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const nlohmann::json diagnosis = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(diagnosis["verdict"], "effect_found");
+  std::map<std::string, double> values;
+  for (const nlohmann::json& effect : diagnosis["ranking"][0]["effects"])
+    for (const auto& [name, parameter] : effect["parameters"].items())
+      values[effect["effect"].get<std::string>() + " @ " + effect["where"].get<std::string>()] = parameter["value"];
+  EXPECT_EQ(values.size(), 2U * kJoints) << outcome.output;
+  constexpr std::array kNames = {"pan", "lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    EXPECT_NEAR(values[fmt::format("viscous_friction @ joint.{}", kNames[j])], kDampings[j], 0.01 * kDampings[j]);
+    EXPECT_NEAR(values[fmt::format("coulomb_friction @ joint.{}", kNames[j])], kFrictions[j], 0.01 * kFrictions[j]);
+  }
 }
 
 }  // namespace

@@ -11,12 +11,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace lacuna {
 namespace {
 
+constexpr std::ptrdiff_t kMostNamedPlaces = 3;  ///< of one effect in a row
 constexpr std::size_t kMostShown = 5;
 
 std::string parameter_text(const FoundParameter& one) {
@@ -63,9 +65,21 @@ std::string horizons_text(const Diagnosis& diagnosis) {
   return diagnosis.horizons.empty() ? "" : text_table(rows, 1);
 }
 
+std::ptrdiff_t places_of(const std::string& effect, const RankedModel& model) {
+  return std::count_if(model.effects.begin(), model.effects.end(),
+                       [&](const FoundEffect& other) { return other.effect == effect; });
+}
+
+/// "coulomb_friction @ joint.hinge + viscous_friction @ 6 joints".
 std::string names_text(const RankedModel& model) {
   std::vector<std::string> names;
-  for (const FoundEffect& effect : model.effects) names.push_back(effect.effect + " @ " + effect.where);
+  for (const FoundEffect& effect : model.effects) {
+    const std::ptrdiff_t places = places_of(effect.effect, model);
+    std::string name = effect.effect + " @ " + effect.where;
+    if (places > kMostNamedPlaces)
+      name = fmt::format("{} @ {} {}s", effect.effect, places, effect.where.substr(0, effect.where.find('.')));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
   return fmt::format("{}", fmt::join(names, " + "));
 }
 
@@ -92,16 +106,18 @@ std::string wrong_value_text(const FoundEffect& effect) {
   return fmt::format("{} instead of {}", parameter_text(value), format_quantity(*value.stated, value.unit));
 }
 
-std::string effect_text(const FoundEffect& effect) {
+std::string effect_text(const FoundEffect& effect, bool with_place) {
   const bool is_wrong_value = !effect.parameters.empty() && effect.parameters.front().stated;
-  return is_wrong_value ? wrong_value_text(effect)
-                        : fmt::format("{}: {}{}", effect.effect, parameters_text(effect.parameters), held_text(effect));
+  if (is_wrong_value) return wrong_value_text(effect);
+  const std::string name = with_place ? effect.effect + " @ " + effect.where : effect.effect;
+  return fmt::format("{}: {}{}", name, parameters_text(effect.parameters), held_text(effect));
 }
 
 /// The answer's effects with their values, and the effects that are indistinguishable from the last of them.
 std::string answer_text(const RankedModel& answer) {
   std::string text;
-  for (const FoundEffect& effect : answer.effects) text += fmt::format("   {}\n", effect_text(effect));
+  for (const FoundEffect& effect : answer.effects)
+    text += fmt::format("   {}\n", effect_text(effect, places_of(effect.effect, answer) > 1));
   if (!answer.look_alikes.empty())
     text += fmt::format("   indistinguishable on these data: {}\n", fmt::join(answer.look_alikes, ", "));
   return text;
