@@ -17,8 +17,9 @@ AugmentedModel with_effects(const AugmentedModel& plain, const std::vector<Effec
                             std::vector<double> values, const PluginCatalog& catalog) {
   AugmentedModel longer;
   longer.experiment = plain.experiment;
-  for (const EffectEntry& entry : added) longer.experiment = with_effect(std::move(longer.experiment), entry);
   longer.added = added;
+  longer.placed = placed_entries(added, plain.definition.structure.robot);
+  for (const EffectEntry& entry : longer.placed) longer.experiment = with_effect(std::move(longer.experiment), entry);
   longer.definition = define_model(longer.experiment, catalog);
   longer.model = compile(longer.definition.structure, longer.definition.engine);
   longer.values = std::move(values);

@@ -11,6 +11,7 @@ namespace lacuna {
 struct AugmentedModel {
   Experiment experiment;  ///< with the effects
   std::vector<EffectEntry> added;
+  std::vector<EffectEntry> placed;  ///< `placed_entries` of them
   ModelDefinition definition;
   std::shared_ptr<const CompiledModel> model;
   std::vector<double> values;  ///< of `definition.free`, SI

@@ -15,6 +15,9 @@
 namespace lacuna {
 namespace {
 
+constexpr const char* kEveryJoint = "joint.*";
+constexpr std::size_t kMostWithOneValue = 3;  ///< joints that share one value of an effect
+
 template <class Spec>
 void add_names(const std::vector<Spec>& elements, const std::string& kind, std::vector<std::string>& names) {
   for (const Spec& element : elements) names.push_back(kind + "." + element.name);
@@ -69,15 +72,19 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
   Hypothesis hypothesis;
   entry.id = free_id(experiment.model.effects, entry.effect);
   hypothesis.entry = entry;
-  hypothesis.definition = define_model(with_effect(experiment, entry), catalog);
+  hypothesis.placed = placed_entries(entry, base.structure.robot);
+  Experiment with = experiment;
+  for (const EffectEntry& placed : hypothesis.placed) with = with_effect(std::move(with), placed);
+  hypothesis.definition = define_model(with, catalog);
   const std::vector<FreeValue>& free = hypothesis.definition.free;
   for (const FreeValue& value : base.free) hypothesis.base.push_back(index_of(free, value.address));
-  for (std::size_t i = 0; i < description.parameters.size(); ++i) {
-    const ParameterDeclaration& parameter = description.parameters[i];
-    hypothesis.own.push_back(index_of(free, effect_address(entry.id, parameter.name)));
-    hypothesis.defaults.push_back(parameter.default_value);
-    hypothesis.neutral.push_back(description.neutral.empty() ? parameter.default_value : description.neutral[i]);
-  }
+  for (const EffectEntry& placed : hypothesis.placed)
+    for (std::size_t i = 0; i < description.parameters.size(); ++i) {
+      const ParameterDeclaration& parameter = description.parameters[i];
+      hypothesis.own.push_back(index_of(free, effect_address(placed.id, parameter.name)));
+      hypothesis.defaults.push_back(parameter.default_value);
+      hypothesis.neutral.push_back(description.neutral.empty() ? parameter.default_value : description.neutral[i]);
+    }
   hypothesis.alike = description.look_alikes;
   hypothesis.model = compile(hypothesis.definition.structure, hypothesis.definition.engine);
   return hypothesis;
@@ -92,6 +99,7 @@ Hypothesis make_wrong_value(const Experiment& experiment, const PluginCatalog& c
   for (const FreeValue& value : base.free) hypothesis.base.push_back(index_of(free, value.address));
   hypothesis.own = {index_of(free, entry.where.front())};
   hypothesis.neutral = hypothesis.defaults = {free[hypothesis.own.front()].start};
+  hypothesis.placed = {entry};
   hypothesis.entry = std::move(entry);
   hypothesis.model = compile(hypothesis.definition.structure, hypothesis.definition.engine);
   return hypothesis;
@@ -155,6 +163,33 @@ bool has_place(const Hypothesis& hypothesis) {
                        [&](std::size_t i) { return is_length(hypothesis.definition.free[i]); }) == kDimensions;
 }
 
+std::vector<EffectEntry> placed_entries(const EffectEntry& entry, const RobotSpec& robot) {
+  if (entry.where.size() != 1 || entry.where.front() != kEveryJoint || robot.joints.size() <= kMostWithOneValue)
+    return {entry};
+  std::vector<EffectEntry> placed;
+  for (const JointSpec& joint : robot.joints) {
+    EffectEntry one = entry;
+    one.where = {"joint." + joint.name};
+    one.id = entry.id + "_" + std::to_string(placed.size() + 1);
+    placed.push_back(std::move(one));
+  }
+  return placed;
+}
+
+std::vector<EffectEntry> placed_entries(const std::vector<EffectEntry>& entries, const RobotSpec& robot) {
+  std::vector<EffectEntry> all;
+  for (const EffectEntry& entry : entries)
+    for (EffectEntry& placed : placed_entries(entry, robot)) all.push_back(std::move(placed));
+  return all;
+}
+
+std::vector<std::string> Hypothesis::own_names() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    names.push_back(member_name(placed[i / parameters()]) + "." + last_name(definition.free[own[i]].address));
+  return names;
+}
+
 std::string Hypothesis::where() const { return entry.where.empty() ? "world" : entry.where.front(); }
 
 std::vector<double> Hypothesis::values(const std::vector<double>& of_base, const std::vector<double>& of_own) const {
@@ -169,7 +204,7 @@ Untestable without_probes(const Hypothesis& hypothesis, const std::string& failu
                     "no value of it changes the predictions of these trials"};
   const std::vector<PlacedEffect>& effects = hypothesis.definition.structure.effects;
   const auto own = std::find_if(effects.begin(), effects.end(),
-                                [&](const PlacedEffect& placed) { return placed.id == hypothesis.entry.id; });
+                                [&](const PlacedEffect& placed) { return placed.id == hypothesis.placed.front().id; });
   if (own == effects.end()) return result;
   if (const std::optional<std::string> deed = deed_of(origin_of(*own), failure)) {
     result.reason = *deed;

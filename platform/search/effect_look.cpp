@@ -112,16 +112,6 @@ std::vector<SizedProbe> sized(const SearchData& data, const FittedModel& model, 
   return size_probes(hypothesis, simulate, kWantedChange, data.scales());
 }
 
-/// Names of the effect's values, in their order.
-std::vector<std::string> own_names(const Hypothesis& hypothesis) {
-  std::vector<std::string> names;
-  for (const std::size_t i : hypothesis.own) {
-    const std::string& address = hypothesis.definition.free[i].address;
-    names.push_back(member_name(hypothesis.entry) + address.substr(address.rfind('.')));
-  }
-  return names;
-}
-
 /// The change of the model's predictions by each of the effect's probes.
 std::vector<ProbeResponse> responses_of(const SearchData& data, const FittedModel& model, const Hypothesis& hypothesis,
                                         const LookStage& few, const LookStage& stage, std::string& failure) {
@@ -147,14 +137,14 @@ StepBounds bounds_of(const LookStage& stage) {
 /// The model of the stage together with some responses.
 class StageWithLaw {
  public:
-  StageWithLaw(const LookStage& stage, const std::vector<ProbeResponse>& responses, const std::vector<std::size_t>& law)
+  StageWithLaw(const LookStage& stage, const std::vector<const ProbeResponse*>& law)
       : stage_(stage), bounds_(bounds_of(stage)) {
     const Eigen::Index own = stage.point.values.size(), added = static_cast<Eigen::Index>(law.size());
     bounds_.lower.conservativeResize(own + added);
     bounds_.upper.conservativeResize(own + added);
     std::vector<const PredictedChange*> changes;
     for (Eigen::Index j = 0; j < added; ++j) {
-      const ProbeResponse& response = responses[law[static_cast<std::size_t>(j)]];
+      const ProbeResponse& response = *law[static_cast<std::size_t>(j)];
       changes.push_back(&response.change);
       bounds_.upper(own + j) = response.probe.sized ? kFarthestSize : 1.0;
       bounds_.lower(own + j) = response.probe.one_sided ? 0.0 : -bounds_.upper(own + j);
@@ -177,31 +167,66 @@ class StageWithLaw {
 
 /// The responses of the laws of one hypothesis beside the model of a stage.
 struct LookedLaws {
-  std::optional<EffectPromise> best;   ///< nothing where no law could be simulated
-  std::vector<Eigen::VectorXd> costs;  ///< by block of time, cross-fitted
+  std::optional<EffectPromise> best;           ///< nothing where no law could be simulated
+  std::vector<const ProbeResponse*> law = {};  ///< of the best
+  std::vector<Eigen::VectorXd> costs;          ///< by block of time, cross-fitted
 };
 
 LookedLaws look_at(std::size_t h, const Hypothesis& hypothesis, const std::vector<ProbeResponse>& responses,
                    const LookStage& stage) {
   LookedLaws looked;
   for (const std::vector<std::size_t>& law : laws_of(hypothesis, responses)) {
-    const StageWithLaw with(stage, responses, law);
+    std::vector<const ProbeResponse*> added;
+    for (const std::size_t r : law) added.push_back(&responses[r]);
+    const StageWithLaw with(stage, added);
     looked.costs.push_back(with.cross_fitted());
     if (looked.best && with.least().cost >= looked.best->cost) continue;
     looked.best = EffectPromise{h, with.least().cost, {}, with.least().step, looked.costs.back()};
-    for (const std::size_t r : law) looked.best->probes.push_back(responses[r].probe);
+    for (const ProbeResponse* one : added) looked.best->probes.push_back(one->probe);
+    looked.law = std::move(added);
   }
   return looked;
 }
 
+/// The probe of an effect on one joint as one of the effect on every joint.
+SizedProbe placed_probe(const SizedProbe& probe, const Hypothesis& every, std::size_t place) {
+  SizedProbe placed{every.neutral, probe.sized, probe.one_sided};
+  const std::size_t first = place * every.parameters();
+  std::copy(probe.own.begin(), probe.own.end(), placed.own.begin() + static_cast<std::ptrdiff_t>(first));
+  if (placed.sized) *placed.sized += first;
+  return placed;
+}
+
+/// An effect with a value for each joint: the best law of each of its places, all at once.
+LookedLaws look_at_places(std::size_t h, const EffectLook& look, const std::vector<LookedLaws>& by_place) {
+  const Hypothesis& every = look.hypotheses[h];
+  LookedLaws looked;
+  std::vector<SizedProbe> probes;
+  for (std::size_t place = 0; place < every.placed.size(); ++place)
+    for (std::size_t one = 0; one < by_place.size(); ++one) {
+      if (member_name(look.hypotheses[one].entry) != member_name(every.placed[place])) continue;
+      for (const ProbeResponse* response : by_place[one].law) {
+        looked.law.push_back(response);
+        probes.push_back(placed_probe(response->probe, every, place));
+      }
+    }
+  if (looked.law.empty()) return looked;
+  const StageWithLaw with(*look.stage, looked.law);
+  looked.costs = {with.cross_fitted()};
+  looked.best = EffectPromise{h, with.least().cost, std::move(probes), with.least().step, looked.costs.front()};
+  return looked;
+}
+
 void promise(const SearchData& data, EffectLook& look) {
-  const StageWithLaw plain(*look.stage, {}, {});
+  const StageWithLaw plain(*look.stage, {});
   look.cost = plain.least().cost;
   const Eigen::VectorXd before = plain.cross_fitted();
   std::vector<LookedLaws> looked(look.hypotheses.size());
   parallel_for(looked.size(), data.task().threads, [&](std::size_t h, int) {
     looked[h] = look_at(h, look.hypotheses[h], look.responses->at(h), *look.stage);
   });
+  for (std::size_t h = 0; h < looked.size(); ++h)
+    if (look.hypotheses[h].placed.size() > 1) looked[h] = look_at_places(h, look, looked);
   for (LookedLaws& one : looked) {
     if (one.best) {
       one.best->gains = before - one.best->gains;
@@ -238,12 +263,14 @@ EffectLook look_at_library(const SearchData& data, const FittedModel& model, con
   std::vector<std::vector<ProbeResponse>> responses(look.hypotheses.size());
   std::vector<std::string> failures(look.hypotheses.size());
   parallel_for(responses.size(), data.task().threads, [&](std::size_t h, int) {
+    if (look.hypotheses[h].placed.size() > 1) return;
     const LookStage& own = few.at(joint_at(robot, look.hypotheses[h].where()));
     if (!own.linear.stretches.empty())
       responses[h] = responses_of(data, model, look.hypotheses[h], own, *look.stage, failures[h]);
   });
   for (std::size_t h = 0; h < responses.size(); ++h)
-    if (responses[h].empty()) look.untestable.push_back(without_probes(look.hypotheses[h], failures[h]));
+    if (responses[h].empty() && look.hypotheses[h].placed.size() == 1)
+      look.untestable.push_back(without_probes(look.hypotheses[h], failures[h]));
   look.responses = std::make_shared<const std::vector<std::vector<ProbeResponse>>>(std::move(responses));
   promise(data, look);
   return look;
@@ -285,7 +312,7 @@ NamedValues start_of_fit(const SearchData& data, const FittedModel& model, const
       const double cost = probed.cost(of_model, of_effect, stage.linear);
       if (!(cost < least)) continue;
       least = cost;
-      const std::vector<std::string> names = own_names(hypothesis);
+      const std::vector<std::string> names = hypothesis.own_names();
       for (std::size_t i = 0; i < names.size(); ++i) start[names[i]] = of_effect[i];
       for (const auto& [name, value] : named_values(model.model, of_model)) start[name] = value;
     }

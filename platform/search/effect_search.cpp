@@ -51,7 +51,7 @@ class EffectSearch {
   void run() {
     say("the model as it is");
     const std::vector<NamedValues> start = {{}};
-    if (!models_.fit({}, start))
+    if (!models_.fit({}, start, {}))
       throw NothingPredictable("the model cannot be simulated from any initial state; check its values");
     look_ = look_at_library(data_, models_.base(), models_.ladder());
     looked_.push_back({{}, look_.gains});
@@ -93,7 +93,12 @@ class EffectSearch {
   }
 
   const FittedModel* fit(const Entries& added, const std::vector<NamedValues>& starts, double least_share = 0.0) {
-    return noted(models_.fit(added, starts, least_share));
+    if (is_twice(added)) return nullptr;
+    std::vector<NamedValues> slight;
+    for (std::size_t i = 0; i < added.size(); ++i)
+      if (const FittedModel* part = models_.find(members_of(without_member(added, i))))
+        slight.push_back(slightly(starts.front(), part->values, look_));
+    return noted(models_.fit(added, starts, slight, least_share));
   }
 
   const FittedModel* noted(const FittedModel* found) const {
@@ -132,6 +137,14 @@ class EffectSearch {
       return of_one_kind(hypothesis_of(single.model.added.front()), hypothesis_of(other.front())) ||
              does_the_same(single, *models_.find(members_of(other)));
     });
+  }
+
+  /// Whether an effect with a value for each joint is beside itself on one of them.
+  bool is_twice(const Entries& added) const {
+    FittedModels::Members members;
+    for (const EffectEntry& placed : placed_entries(added, data_.plain().definition.structure.robot))
+      if (!members.insert(member_name(placed)).second) return true;
+    return false;
   }
 
   /// Whether an effect acts like one of these, or is a richer law of its kind.
@@ -364,7 +377,10 @@ void conclude(const EffectSearch& search, SearchResult& result) {
   const FittedModels& models = search.models();
   result.layout = models.ladder().layout;
   result.sets.clear();
-  for (const FittedModel* set : sets_of(models)) result.sets.push_back(*set);
+  for (const FittedModel* set : sets_of(models)) {
+    result.sets.push_back(*set);
+    result.sets.back().model.added = set->model.placed;
+  }
   result.looked = search.looked();
   result.decision = decide(judged_sets(models), result.looked, kSeed);
   result.spread = search.spread_from(result.sets[result.decision.answer].judged.members);

@@ -9,15 +9,16 @@ constexpr double kSlightly = 0.02;  ///< of a size's distance from its neutral v
 
 NamedValues slightly(const NamedValues& with, const NamedValues& without, const EffectLook& look) {
   NamedValues start = without;
-  for (const Hypothesis& hypothesis : look.hypotheses)
-    for (std::size_t i = 0; i < hypothesis.own.size(); ++i) {
-      const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
-      const std::string name = member_name(hypothesis.entry) + free.address.substr(free.address.rfind('.'));
-      const auto found = with.find(name);
-      if (found == with.end() || start.contains(name)) continue;
+  for (const Hypothesis& hypothesis : look.hypotheses) {
+    const std::vector<std::string> names = hypothesis.own_names();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto found = with.find(names[i]);
+      if (found == with.end() || start.contains(names[i])) continue;
       const double neutral = hypothesis.neutral[i], value = found->second;
-      start[name] = free.scale == Scale::linear ? neutral + kSlightly * (value - neutral) : value;
+      const bool is_linear = hypothesis.definition.free[hypothesis.own[i]].scale == Scale::linear;
+      start[names[i]] = is_linear ? neutral + kSlightly * (value - neutral) : value;
     }
+  }
   return start;
 }
 

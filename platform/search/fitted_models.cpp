@@ -3,12 +3,14 @@
 #include "candidates/hypothesis.h"
 #include "candidates/wrong_value.h"
 #include "foundation/address.h"
+#include "prediction/whitened_columns.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
@@ -21,8 +23,8 @@ constexpr double kProportion =
 constexpr const char* kTiming = "timing";
 
 /// The name of a value, prefixed with the member that it belongs to.
-std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added) {
-  for (const EffectEntry& entry : added)
+std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& placed) {
+  for (const EffectEntry& entry : placed)
     if (belongs_to(free, entry)) return member_name(entry) + "." + last_name(free.address);
   return free.address;
 }
@@ -30,7 +32,7 @@ std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added
 /// Names of a model's values in their order, with the timing's last.
 std::vector<std::string> value_names(const AugmentedModel& model, bool timing) {
   std::vector<std::string> names;
-  for (const FreeValue& free : model.definition.free) names.push_back(name_of(free, model.added));
+  for (const FreeValue& free : model.definition.free) names.push_back(name_of(free, model.placed));
   if (timing) names.emplace_back(kTiming);
   return names;
 }
@@ -45,6 +47,40 @@ std::set<std::string> member_names(const std::vector<EffectEntry>& added) {
 bool act_as_one(const Eigen::MatrixXd& information, Eigen::Index one, Eigen::Index other) {
   const double both = information(one, one) * information(other, other);
   return both > 0.0 && information(one, other) * information(one, other) > (1.0 - kProportion) * both;
+}
+
+/// Values of effects with a value for each joint beyond those at the first joint: to the decision, friction in six
+/// joints is one law.
+int repeated_values(const AugmentedModel& model) {
+  int repeated = 0;
+  for (const EffectEntry& entry : model.added) {
+    const std::vector<EffectEntry> placed = placed_entries(entry, model.definition.structure.robot);
+    for (std::size_t i = 1; i < placed.size(); ++i)
+      for (const FreeValue& free : model.definition.free) repeated += belongs_to(free, placed[i]) ? 1 : 0;
+  }
+  return repeated;
+}
+
+/// A value of an effect that acts only together with another one of it.
+struct RedundantValue {
+  std::size_t value = 0, as = 0;  ///< of the free values
+  double change = 0.0;            ///< of the other's coordinate per unit of this one
+};
+
+std::vector<RedundantValue> redundant_values(const std::vector<FreeValue>& free, const EffectEntry& placed,
+                                             const Eigen::MatrixXd& known) {
+  std::vector<RedundantValue> redundant;
+  std::vector<Eigen::Index> others;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (!is_of_effect(free[i].address, placed.id)) continue;
+    const auto j = static_cast<Eigen::Index>(i);
+    const auto as = std::find_if(others.begin(), others.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); });
+    if (free[i].scale == Scale::logarithmic && as != others.end())
+      redundant.push_back({i, static_cast<std::size_t>(*as), known(j, *as) / known(*as, *as)});
+    else
+      others.push_back(j);
+  }
+  return redundant;
 }
 
 /// Two of one effect get different ids.
@@ -63,7 +99,7 @@ std::vector<EffectEntry> with_ids(std::vector<EffectEntry> added) {
 NamedValues named_values(const AugmentedModel& model, const std::vector<double>& values) {
   NamedValues result;
   for (std::size_t i = 0; i < model.definition.free.size(); ++i)
-    result[name_of(model.definition.free[i], model.added)] = values[i];
+    result[name_of(model.definition.free[i], model.placed)] = values[i];
   if (values.size() > model.definition.free.size()) result[kTiming] = values.back();
   return result;
 }
@@ -71,7 +107,7 @@ NamedValues named_values(const AugmentedModel& model, const std::vector<double>&
 std::vector<double> FittedModels::values_for(const AugmentedModel& model, const NamedValues& named) const {
   std::vector<double> values = model.definition.start_values();
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (const auto found = named.find(name_of(model.definition.free[i], model.added)); found != named.end())
+    if (const auto found = named.find(name_of(model.definition.free[i], model.placed)); found != named.end())
       values[i] = found->second;
   if (data_.timing()) {
     const auto found = named.find(kTiming);
@@ -127,8 +163,46 @@ AugmentedModel FittedModels::model_with(const std::vector<EffectEntry>& added) c
   return model;
 }
 
+/// On a few stretches from their smoothed starts; infinite where a stretch cannot be simulated.
+double FittedModels::cost_at_start(LadderPredictions& few, const Eigen::VectorXd& values) const {
+  std::vector<LinearStretch> stretches(few.ladder().stretches.size());
+  for (std::size_t k = 0; k < stretches.size(); ++k) stretches[k].start = few_plain_.by_starts[k];
+  if (!few.residuals_at(few.at_smoothed_starts(values), stretches)) return std::numeric_limits<double>::infinity();
+  const BlockProducts products = whitened_products(few.ladder(), stretches);
+  return cost_at(few.ladder().layout, products, Eigen::VectorXd::Zero(products.values())).cost;
+}
+
+/// Coordinates of values from which to descend.
+std::vector<Eigen::VectorXd> FittedModels::places_to_begin(const AugmentedModel& model, const ModelContext& context,
+                                                           LadderPredictions& few,
+                                                           const std::vector<NamedValues>& starts,
+                                                           const std::vector<NamedValues>& slight) const {
+  std::vector<Eigen::VectorXd> places;
+  for (const NamedValues& start : starts) places.push_back(context.space().to_coordinates(values_for(model, start)));
+  if (model.added.empty() || data_.acceleration_steps().empty() || model.model->has_memory() ||
+      changes_readings(model.definition))
+    return places;
+  const AccelerationSteps& given = data_.acceleration_steps();
+  const std::unique_ptr<CompiledModel> fine = compile(model.definition.structure, given.engine);
+  const ModelContext of_steps(model.definition, *fine, given.trials, data_.timing(), data_.task().threads,
+                              kCommandsMayAct);
+  LadderPredictions steps(given.ladder, of_steps.predictor(), of_steps.space(), data_.starts());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::VectorXd& place : places) least = std::min(least, cost_at_start(few, place));
+  for (const NamedValues& start : slight) {
+    const Eigen::VectorXd values = context.space().to_coordinates(values_for(model, start));
+    PredictionFit fit = descend(steps, steps.at_smoothed_starts(values), kMostIterations);
+    if (!fit.valid) continue;
+    const double cost = cost_at_start(few, fit.point.values);
+    if (!(cost < least)) continue;
+    least = cost;
+    places = {std::move(fit.point.values)};
+  }
+  return places;
+}
+
 const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,
-                                     double least_share) {
+                                     const std::vector<NamedValues>& slight, double least_share) {
   if (const KeptFit* known = known_fit(added)) return restore(added, *known);
   AugmentedModel model = model_with(added);
   if (!added.empty() && !data_.tells(static_cast<double>(model.definition.free.size()))) return nullptr;
@@ -138,8 +212,7 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
   LadderPredictions few(few_, context.predictor(), context.space(), data_.starts(), of_readings);
   const LastSteps last = added.empty() ? LastSteps::anew : LastSteps::as_it_is;
   PredictionFit least;
-  for (const NamedValues& start : starts) {
-    const Eigen::VectorXd values = context.space().to_coordinates(values_for(model, start));
+  for (const Eigen::VectorXd& values : places_to_begin(model, context, few, starts, slight)) {
     PredictionFit fit = descend(few, few.at_smoothed_starts(values), kMostIterations, few_plain_, names, last);
     ++fits_;
     if (fit.valid && (!least.valid || fit.cost < least.cost)) least = std::move(fit);
@@ -204,29 +277,26 @@ std::vector<std::string> FittedModels::held_of(const EffectEntry& entry) const {
 /// `values` keeps. Returns whether any fitted value was held.
 bool FittedModels::hold_redundant_values(const FittedModel& single, NamedValues& values) {
   if (single.model.added.size() != 1 || held_.contains(member_name(single.model.added.front()))) return false;
-  const EffectEntry& entry = single.model.added.front();
   const Eigen::MatrixXd known = information(ladder_.layout, single.fit.products,
                                             least_cost(ladder_.layout, single.fit.products, single.fit.bounds));
-  std::vector<std::string>& held = held_[member_name(entry)];
-  const std::vector<double> begin = single.model.definition.start_values();
-  std::vector<Eigen::Index> free;
-  for (std::size_t i = 0; i < single.model.definition.free.size(); ++i) {
-    const std::string& address = single.model.definition.free[i].address;
-    if (!is_of_effect(address, entry.id)) continue;
-    const auto j = static_cast<Eigen::Index>(i);
-    const bool is_factor = single.model.definition.free[i].scale == Scale::logarithmic;
-    const auto as_one = std::find_if(free.begin(), free.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); });
-    if (!is_factor || as_one == free.end()) {
-      free.push_back(j);
-      continue;
-    }
-    held.push_back(address.substr(effect_address(entry.id, "").size()));
-    const auto k = static_cast<std::size_t>(*as_one);
-    double& other = values.at(name_of(single.model.definition.free[k], single.model.added));
-    const double change =
-        known(j, *as_one) / known(*as_one, *as_one);  // change of the other's coordinate per unit of this one
-    const bool is_logarithmic = single.model.definition.free[k].scale == Scale::logarithmic;
-    if (other != 0.0) other *= std::pow(single.model.values[i] / begin[i], is_logarithmic ? change : change / other);
+  const std::vector<FreeValue>& free = single.model.definition.free;
+  std::vector<RedundantValue> redundant;
+  for (const EffectEntry& placed : single.model.placed)
+    for (const RedundantValue& one : redundant_values(free, placed, known)) redundant.push_back(one);
+  const auto at_every_place = [&](const std::string& name) {
+    const auto is_it = [&](const RedundantValue& one) { return last_name(free[one.value].address) == name; };
+    return std::count_if(redundant.begin(), redundant.end(), is_it) == std::ssize(single.model.placed);
+  };
+  std::vector<std::string>& held = held_[member_name(single.model.added.front())];
+  for (const RedundantValue& one : redundant) {
+    const std::string name = last_name(free[one.value].address);
+    if (!at_every_place(name)) continue;
+    if (std::count(held.begin(), held.end(), name) == 0) held.push_back(name);
+    double& other = values.at(name_of(free[one.as], single.model.placed));
+    const bool is_logarithmic = free[one.as].scale == Scale::logarithmic;
+    if (other != 0.0)
+      other *= std::pow(single.model.values[one.value] / free[one.value].start,
+                        is_logarithmic ? one.change : one.change / other);
   }
   return !held.empty();
 }
@@ -244,9 +314,10 @@ void FittedModels::judge(FittedModel& model) const {
           ? told
           : told_values(information(layout, base->second.fit.products,
                                     least_cost(layout, base->second.fit.products, base->second.fit.bounds)));
-  model.judged.told = std::max(static_cast<int>(model.judged.members.size()), told - of_base);
-  model.judged.values =
-      static_cast<int>(model.model.definition.free.size()) - static_cast<int>(data_.plain().definition.free.size());
+  const int repeated = repeated_values(model.model);
+  model.judged.told = std::max(static_cast<int>(model.judged.members.size()), told - of_base - repeated);
+  model.judged.values = static_cast<int>(model.model.definition.free.size()) -
+                        static_cast<int>(data_.plain().definition.free.size()) - repeated;
 }
 
 }  // namespace lacuna

@@ -32,8 +32,10 @@ class FittedModels {
   /// Fits the set from each of these starts on a few stretches, continues from the best on all, and keeps the cheapest,
   /// also compared with an earlier fit of the set. Values that a start does not name come from the file. Nothing where
   /// the set cannot be simulated, or gains less than `least_share` of the best set's gain on the few stretches.
+  /// `slight`: values at which one effect of the set hardly acts. From there the set is first fitted to acceleration
+  /// steps (prediction/acceleration_steps.h); where that leads to a lower cost than every start, it is the start.
   const FittedModel* fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,
-                         double least_share = 0.0);
+                         const std::vector<NamedValues>& slight = {}, double least_share = 0.0);
   /// Continues from this start on all stretches.
   const FittedModel* refine(const std::vector<EffectEntry>& added, const NamedValues& start);
   const FittedModel* find(const Members& members) const;
@@ -43,6 +45,10 @@ class FittedModels {
   int fits() const { return fits_; }
 
  private:
+  std::vector<Eigen::VectorXd> places_to_begin(const AugmentedModel& model, const ModelContext& context,
+                                               LadderPredictions& few, const std::vector<NamedValues>& starts,
+                                               const std::vector<NamedValues>& slight) const;
+  double cost_at_start(LadderPredictions& few, const Eigen::VectorXd& values) const;
   std::vector<double> values_for(const AugmentedModel& model, const NamedValues& named) const;
   AugmentedModel model_with(const std::vector<EffectEntry>& added) const;
   const KeptFit* known_fit(const std::vector<EffectEntry>& added) const;

@@ -59,6 +59,9 @@ std::vector<std::vector<double>> starting_values(const Hypothesis& hypothesis, c
 std::vector<double> values_at_sizes(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
                                     const Eigen::VectorXd& sizes) {
   std::vector<double> own = probes.front().own;
+  for (const SizedProbe& probe : probes)
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (probe.own[i] != hypothesis.neutral[i]) own[i] = probe.own[i];
   for (std::size_t p = 0; p < probes.size(); ++p)
     if (probes[p].sized)
       own[*probes[p].sized] = value_at_size(hypothesis, probes[p], sizes(static_cast<Eigen::Index>(p)));

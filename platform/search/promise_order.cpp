@@ -14,7 +14,7 @@ constexpr double kSamePromise =
 std::vector<EffectPromise> cheapest_first(const EffectLook& look, double worth_of_value) {
   std::vector<EffectPromise> promises = look.promises;
   const auto price = [&](const EffectPromise& one) {
-    return one.cost + worth_of_value * static_cast<double>(look.hypotheses[one.hypothesis].own.size());
+    return one.cost + worth_of_value * static_cast<double>(look.hypotheses[one.hypothesis].parameters());
   };
   std::stable_sort(promises.begin(), promises.end(),
                    [&](const EffectPromise& a, const EffectPromise& b) { return price(a) < price(b); });
@@ -31,7 +31,7 @@ struct Compared {
 
   bool is_outdone_by(const EffectPromise& other) const {
     const Hypothesis &own = hypothesis_of(promise), &simpler = hypothesis_of(other);
-    return simpler.own.size() < own.own.size() && of_one_kind(simpler, own) &&
+    return simpler.parameters() < own.parameters() && of_one_kind(simpler, own) &&
            gain_of(promise) < kNearlyAsMuch * gain_of(other);
   }
   bool is_twin_of(const EffectPromise& other) const {

@@ -14,6 +14,7 @@ constexpr int kMostSubsteps = 64;
 constexpr double kMostSamples = 1500.0;  ///< per length and channel; further samples add little
 constexpr double kMostStretches = 80.0;  ///< per length: two in each block of time
 constexpr std::size_t kFewStretches = 40;
+constexpr std::size_t kMostSteps = 300;
 constexpr double kReadingsOfAValue = 8.0;  ///< with fewer per value a gain cannot be told from chance
 
 Experiment coarse(Experiment experiment) {
@@ -67,6 +68,7 @@ SearchData::SearchData(const EffectSearchTask& task)
   noise_ = noise_of_readings(*starts_, readings_->predictor().trials(), noise_);
   build_ladders();
   choose_substeps();
+  acceleration_steps_ = lacuna::acceleration_steps(source(bench_for(plain_)), plain_.definition.engine, kMostSteps);
 }
 
 double SearchData::readings() const {
@@ -80,7 +82,7 @@ bool SearchData::tells(double values) const { return kReadingsOfAValue * values 
 
 void SearchData::bound(std::vector<Hypothesis>& hypotheses) const {
   for (Hypothesis& one : hypotheses) {
-    bound_by_resolution({one.entry}, scales_, one.definition.free);
+    bound_by_resolution(one.placed, scales_, one.definition.free);
     for (std::size_t i = 0; i < one.own.size(); ++i) {
       const FreeValue& free = one.definition.free[one.own[i]];
       one.neutral[i] = std::clamp(one.neutral[i], free.lower, free.upper);

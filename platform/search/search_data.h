@@ -5,6 +5,7 @@
 #include "candidates/data_scales.h"
 #include "candidates/timing.h"
 #include "loading/plugin_catalog.h"
+#include "prediction/acceleration_steps.h"
 #include "prediction/descent.h"
 #include "prediction/prediction_lengths.h"
 #include "search/kept_fits.h"
@@ -68,12 +69,13 @@ class SearchData {
   const SmoothedStarts& starts() const { return *starts_; }
   const PredictionLadder& ladder() const { return ladder_; }      ///< of all lengths
   const PredictionLadder& deciding() const { return deciding_; }  ///< of the shortest
+  const AccelerationSteps& acceleration_steps() const { return acceleration_steps_; }
   /// The same lengths over what is held out; no stretches where nothing is.
   PredictionLadder held_out() const;
   /// See `data_scales`.
   const std::map<std::string, double>& scales() const { return scales_; }
   /// Limits values of added effects to what the readings resolve.
-  void bound(AugmentedModel& model) const { bound_by_resolution(model.added, scales_, model.definition.free); }
+  void bound(AugmentedModel& model) const { bound_by_resolution(model.placed, scales_, model.definition.free); }
   void bound(std::vector<Hypothesis>& hypotheses) const;
   double readings() const;  ///< that are fitted
   /// Whether there are readings enough for so many values: eight for each.
@@ -99,6 +101,7 @@ class SearchData {
   std::unique_ptr<StartStates> states_;
   std::unique_ptr<SmoothedStarts> starts_;
   PredictionLadder ladder_, deciding_;
+  AccelerationSteps acceleration_steps_;
 };
 
 }  // namespace lacuna

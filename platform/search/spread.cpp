@@ -78,9 +78,9 @@ bool is_told(const EffectEntry& entry, const FittedModel& set, const FittedModel
   const ParameterSpace space(set.model.definition.free);
   for (std::size_t i = 0; i < set.model.definition.free.size(); ++i) {
     const FreeValue& free = set.model.definition.free[i];
-    const EffectEntry& own = *std::find_if(set.model.added.begin(), set.model.added.end(), [&](const EffectEntry& one) {
-      return member_name(one) == member_name(entry);
-    });
+    const EffectEntry& own =
+        *std::find_if(set.model.placed.begin(), set.model.placed.end(),
+                      [&](const EffectEntry& one) { return member_name(one) == member_name(entry); });
     if (!belongs_to(free, own)) continue;
     for (std::size_t k = 0; k < hypothesis.own.size(); ++k) {
       if (last_name(hypothesis.definition.free[hypothesis.own[k]].address) != last_name(free.address)) continue;
@@ -103,6 +103,8 @@ const FittedModel* refined(FittedModels& models, const std::vector<EffectEntry>&
   return set;
 }
 
+bool is_as_good(const CandidateSet& set, const CandidateSet& as) { return !gain_of(as, set).is_told(); }
+
 bool is_better(const CandidateSet& set, const CandidateSet& than, double whole_gain) {
   const CostGain gain = gain_of(set, than);
   return gain.is_told() && gain.nats > kWorthAPlace * whole_gain * (set.told - than.told) &&
@@ -117,15 +119,20 @@ std::optional<FittedModel> spread_over_places(FittedModels& models, const Effect
   const SpreadSet all = spread_set(answer, look);
   if (all.entries.size() <= answer.model.added.size()) return std::nullopt;
   const FittedModel before = answer;
-  const FittedModel* set = refined(models, all.entries, all.start);
+  const bool has_value_for_each = answer.model.placed.size() > answer.model.added.size();
+  const bool is_spread = has_value_for_each && all.entries.size() == answer.model.placed.size();
+  const FittedModel* set = is_spread ? &before : refined(models, all.entries, all.start);
   if (!set) return std::nullopt;
   std::vector<EffectEntry> told;
   std::copy_if(all.entries.begin(), all.entries.end(), std::back_inserter(told),
                [&](const EffectEntry& entry) { return is_told(entry, *set, models, look); });
   if (told.empty()) return std::nullopt;
+  if (is_spread && told.size() == all.entries.size()) return std::nullopt;
   if (told.size() < all.entries.size()) set = refined(models, told, NamedValues(set->values));
-  if (!set || !is_better(set->judged, before.judged, whole_gain)) return std::nullopt;
-  return *set;
+  if (!set) return std::nullopt;
+  const bool replaces =
+      has_value_for_each ? is_as_good(set->judged, before.judged) : is_better(set->judged, before.judged, whole_gain);
+  return replaces ? std::optional(*set) : std::nullopt;
 }
 
 }  // namespace lacuna
