@@ -11,7 +11,8 @@ struct StraightFit {
   double squares = 0.0;        ///< of the residual
 };
 
-/// Columns that depend linearly on others get a coefficient of zero and an infinite deviation.
+/// Of columns that depend linearly on each other the coefficients are the smallest that fit (of columns scaled to one
+/// length), and their deviations infinite; a column of zeros gets a coefficient of zero.
 StraightFit straight_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values);
 
 }  // namespace lacuna
