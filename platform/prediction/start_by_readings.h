@@ -24,7 +24,7 @@ struct ChangedStart {
 };
 
 /// The start at which the model's first readings equal those of ideal sensors at `start`: with a sensor offset of 0.1
-/// rad the joint stands 0.1 rad further. The first reading of a sensor with a delay of 10 ms shows the state 10 ms
+/// rad the joint stands 0.1 rad before it. The first reading of a sensor with a delay of 10 ms shows the state 10 ms
 /// earlier. For delays from half a sample on, the coordinate begins there, in the warm-up, so that it is predicted over
 /// as long a time as any other; its value at the start is then NaN. For smaller delays, and without a warm-up, it
 /// begins at its readings of 10 ms later. Velocities follow the slope of the reading. A coordinate whose reading does
