@@ -22,7 +22,7 @@ class PendulumData {
         trials_(std::move(recordings)) {
     experiment_.noise = {};
     experiment_.model.effects = {};
-    data_ = std::make_unique<SearchData>(
+    data_ = std::make_shared<SearchData>(
         EffectSearchTask{.experiment = experiment_,
                          .catalog = built_catalog(),
                          .trials = trials_,
@@ -33,26 +33,34 @@ class PendulumData {
 
   const SearchData& data() const { return *data_; }
 
-  /// The model as it is, fitted on the deciding lengths, and linearised there.
+  std::shared_ptr<const SearchData> shared() const { return data_; }
+  const Experiment& experiment() const { return experiment_; }
+  const std::vector<Trial>& trials() const { return trials_; }
+
+  /// A model, fitted on the deciding lengths, and linearised there.
   struct Fitted {
     FittedModel model;
     LinearPrediction linear;
   };
-  Fitted fitted() const {
-    const ModelContext context = data_->bench_for(data_->plain());
+  Fitted fitted(const AugmentedModel& model) const {
+    const ModelContext context = data_->bench_for(model);
     LadderPredictions predictions(data_->deciding(), context.predictor(), context.space(), data_->starts());
     Fitted result;
-    result.model.model = data_->plain();
-    result.model.fit =
-        descend(predictions, predictions.at_smoothed_starts(context.space().to_coordinates(data_->plain().values)), 10);
+    result.model.model = model;
+    std::vector<double> values = model.definition.start_values();
+    if (data_->timing()) values.push_back(0.0);
+    const Eigen::VectorXd start = context.space().to_coordinates(values);
+    result.model.fit = descend(predictions, predictions.at_smoothed_starts(start), 10);
     result.linear = *predictions.linearise(result.model.fit.point);
     return result;
   }
+  /// The model as it is.
+  Fitted fitted() const { return fitted(data_->plain()); }
 
  private:
   Experiment experiment_;
   std::vector<Trial> trials_;
-  std::unique_ptr<SearchData> data_;
+  std::shared_ptr<const SearchData> data_;
 };
 
 /// Two recordings of one truth.
