@@ -67,9 +67,11 @@ TEST(AccelerationsOfCommands, FollowALineBetweenSamplesWhereTheHoldSaysSo) {
 }
 
 TEST(AccelerationsOfCommands, GoOnWithTheFirstAndTheLastCommandBeyondThem) {
-  const Eigen::MatrixXd made = differences(1).of_commands(commanded(Eigen::Vector3d(1.0, 5.0, 4.0)), 0.2);
-  EXPECT_NEAR(made(0, 0), 1.0, 1e-9);
-  EXPECT_NEAR(made(8, 0), 4.0, 1e-9);
+  for (const Hold hold : {Hold::zero_order, Hold::first_order}) {
+    const Eigen::MatrixXd made = differences(1).of_commands(commanded(Eigen::Vector3d(1.0, 5.0, 4.0), hold), 0.2);
+    EXPECT_NEAR(made(0, 0), 1.0, 1e-9);
+    EXPECT_NEAR(made(8, 0), 4.0, 1e-9);
+  }
 }
 
 TEST(AccelerationsOfCommands, AreZeroWithoutCommands) {
