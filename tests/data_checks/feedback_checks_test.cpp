@@ -40,8 +40,13 @@ TEST(FeedbackChecks, NoteACommandThatHoldsTheNoiseOfAReading) {
                                         testing::ContainsRegex("up to (9[5-9]|100) %")));
 }
 
-/// A tenth of the noise of the command in squares is from the reading.
-TEST(FeedbackChecks, DoNotNoteAShareThatIsSmall) { EXPECT_THAT(feedback_of(read_with_noise(-1.0, 0.03)), IsEmpty()); }
+/// Of the command's noise in squares a fifth at most is the reading's, and a half.
+TEST(FeedbackChecks, DoNotNoteAShareThatIsSmall) {
+  EXPECT_THAT(feedback_of(read_with_noise(-1.0, 0.021)), IsEmpty());
+  const std::vector<DataWarning> doubts = feedback_of(read_with_noise(-1.0, 0.01));
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_THAT(doubts[0].sentence, testing::ContainsRegex("up to (4[0-9]|5[0-9]) %"));
+}
 
 TEST(FeedbackChecks, DoNotNoteACommandWithItsOwnNoise) {
   EXPECT_THAT(feedback_of(read_with_noise(0.0, 0.01)), IsEmpty());
