@@ -25,6 +25,15 @@ TEST(SettledErrors, OfARightModelAreOneAtEveryLength) {
   EXPECT_NEAR((*errors)(1), 1.0, 0.15);
 }
 
+/// Readings that are half as noisy as was assumed.
+TEST(SettledErrors, AreSquaresInUnitsOfTheNoise) {
+  OneJointRig rig(damped_spring, damping(), {0.5}, {20.0});
+  rig.noise[0].deviation *= 2.0;
+  const std::optional<Eigen::VectorXd> errors = errors_of(rig, rig.ladder({0.5}), 0.5);
+  ASSERT_TRUE(errors);
+  EXPECT_NEAR((*errors)(0), 0.25, 0.05);
+}
+
 /// A wrong damping is worse the longer one predicts, and the values do not move to mend it.
 TEST(SettledErrors, OfAWrongValueGrowWithTheLength) {
   const OneJointRig rig(damped_spring, damping(), {0.5}, {20.0});
