@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-/// Of a right model of these recordings, of one with a missing friction, and with a held-out recording.
+/// Of the model as it is.
 ErrorsByLength errors_of(const FoundPendulum& pendulum) { return {pendulum.data.data(), pendulum.found.sets[0]}; }
 
 TEST(ErrorsByLengthTest, OfARightModelAreTheNoiseOfAReading) {
@@ -39,7 +39,8 @@ TEST(ErrorsByLengthTest, OfAMissingFrictionAreLargerAtTheLongestLength) {
 }
 
 TEST(ErrorsByLengthTest, AreUnknownOfHeldOutDataWhereThereAreNone) {
-  const ErrorsByLength errors = errors_of(FoundPendulum(two_recordings({.damping = 0.02})));
+  const FoundPendulum pendulum(two_recordings({.damping = 0.02}));
+  const ErrorsByLength errors = errors_of(pendulum);
   EXPECT_TRUE(std::isnan(errors.held_out(0, 0)));
 }
 
