@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kNoise = 0.01;  ///< of a channel's RMS change in a step: what is smaller is taken for noise
 constexpr double kStepsOfAnInterval = 16.0;  ///< of the readings: in so short a time friction stops no light joint
+constexpr double kRounding = 1e-6;
 
 /// Every `stride`-th sample of a trial and, one step later, what its acceleration makes of it.
 Trial pairs_of(const Trial& trial, std::size_t number, const LadderSource& source, double step, Eigen::Index stride) {
@@ -57,7 +58,7 @@ AccelerationSteps acceleration_steps(const LadderSource& source, const EngineSet
   AccelerationSteps steps;
   steps.engine = engine;
   steps.engine.substeps =
-      std::max(engine.substeps, static_cast<int>(std::ceil(kStepsOfAnInterval * engine.step / shortest)));
+      std::max(engine.substeps, static_cast<int>(std::ceil(kStepsOfAnInterval * engine.step / shortest - kRounding)));
   const double step = engine.step / steps.engine.substeps;
   for (std::size_t t = 0; t < trials.size(); ++t)
     steps.trials.push_back(trials[t].held_out ? trials[t] : pairs_of(trials[t], t, source, step, stride));

@@ -75,6 +75,49 @@ TEST_F(CandidatesOfPendulum, GetAnUnusedId) {
   EXPECT_NE(twice.model.effects[1].id, "coulomb_friction");
 }
 
+RobotSpec robot_of(std::size_t joints) {
+  RobotSpec robot;
+  for (std::size_t i = 0; i < joints; ++i) robot.joints.push_back({.name = "j" + std::to_string(i)});
+  return robot;
+}
+
+EffectEntry on(const std::string& place) {
+  EffectEntry entry;
+  entry.id = "friction";
+  entry.effect = "coulomb_friction";
+  entry.where = {place};
+  return entry;
+}
+
+TEST(PlacedEntries, HaveAValueForEachOfManyJoints) {
+  const std::vector<EffectEntry> placed = placed_entries(on("joint.*"), robot_of(4));
+  ASSERT_EQ(placed.size(), 4U);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    EXPECT_THAT(placed[i].where, ElementsAre("joint.j" + std::to_string(i)));
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(placed[i].id, placed[j].id);
+  }
+}
+
+TEST(PlacedEntries, ShareOneValueOnFewJointsAndOnOtherElements) {
+  EXPECT_EQ(placed_entries(on("joint.*"), robot_of(3)).size(), 1U);
+  EXPECT_EQ(placed_entries(on("joint.j2"), robot_of(4)).size(), 1U);
+  EXPECT_EQ(placed_entries(on("sensor.*"), robot_of(4)).size(), 1U);
+}
+
+/// Friction in four joints is one law with four values.
+TEST(HypothesesOfManyJoints, CountTheValuesOfOneJoint) {
+  Hypothesis every;
+  every.placed = placed_entries(on("joint.*"), robot_of(4));
+  for (const EffectEntry& one : every.placed) {
+    every.own.push_back(every.definition.free.size());
+    every.definition.free.push_back({"effect." + one.id + ".torque", "N*m", 0.0, 9.0, 0.0, Scale::linear, ""});
+  }
+  EXPECT_EQ(every.parameters(), 1U);
+  EXPECT_THAT(every.own_names(),
+              ElementsAre("coulomb_friction @ joint.j0.torque", "coulomb_friction @ joint.j1.torque",
+                          "coulomb_friction @ joint.j2.torque", "coulomb_friction @ joint.j3.torque"));
+}
+
 TEST(MemberNames, SayWhatStandsWhere) {
   EffectEntry entry;
   entry.effect = "slope";
