@@ -2,6 +2,7 @@
 
 #include "foundation/processes/interrupt.h"
 #include "search/fit_starts.h"
+#include "search/fitted_sets.h"
 #include "search/nesting.h"
 #include "search/promise_order.h"
 #include "search/spread.h"
@@ -21,32 +22,12 @@ constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each o
 constexpr std::size_t kKinds = 5;     ///< the best effects that act differently, fitted in pairs
 constexpr std::size_t kBesidePair = 3;
 constexpr std::size_t kSwapped = 3;  ///< effects tried in place of a member
-constexpr std::size_t kMostMembers = 3;
-constexpr double kWorthATriple = 0.05;  ///< of the whole gain, which a pair must add
-constexpr double kSame = 0.1;           ///< of the gain by blocks: two effects closer than this act alike
-constexpr std::uint64_t kSeed = 1;      ///< of the random signs
-
-/// Members of one model: "b" beside "a".
-using Entries = std::vector<EffectEntry>;
-
-/// The model as it is first; without candidates that have a value for each of many joints.
-std::vector<const FittedModel*> sets_of(const FittedModels& models) {
-  std::vector<const FittedModel*> sets = {&models.base()};
-  for (const auto& [members, model] : models.all())
-    if (!members.empty() && members.size() <= kMostMembers) sets.push_back(&model);
-  return sets;
-}
-
-std::vector<CandidateSet> judged_sets(const FittedModels& models) {
-  std::vector<CandidateSet> sets;
-  for (const FittedModel* set : sets_of(models)) sets.push_back(set->judged);
-  return sets;
-}
+constexpr std::uint64_t kSeed = 1;   ///< of the random signs
 
 class EffectSearch {
  public:
   EffectSearch(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept)
-      : data_(data), models_(data, ladder, kept) {}
+      : data_(data), models_(data, ladder, kept), sets_(models_) {}
 
   void run() {
     say("the model as it is");
@@ -71,7 +52,7 @@ class EffectSearch {
 
   /// Whether an effect gains more than its error.
   bool gains_anything() const {
-    const std::vector<const FittedModel*> singles = ordered(1);
+    const std::vector<const FittedModel*> singles = sets_.ordered(1);
     return std::any_of(singles.begin(), singles.end(),
                        [&](const FittedModel* one) { return gain_of(one->judged, models_.base().judged).is_told(); });
   }
@@ -93,7 +74,7 @@ class EffectSearch {
   }
 
   const FittedModel* fit(const Entries& added, const std::vector<NamedValues>& starts, double least_share = 0.0) {
-    if (is_twice(added)) return nullptr;
+    if (is_twice(added, data_.plain().definition.structure.robot)) return nullptr;
     std::vector<NamedValues> slight;
     for (std::size_t i = 0; i < added.size(); ++i)
       if (const FittedModel* part = models_.find(members_of(without_member(added, i))))
@@ -115,18 +96,6 @@ class EffectSearch {
     }
   }
 
-  /// The sets of a size by decreasing gain on data to which they were not fitted, less the price of their values.
-  std::vector<const FittedModel*> ordered(std::size_t size) const {
-    std::vector<const FittedModel*> sets;
-    for (const auto& [members, model] : models_.all())
-      if (members.size() == size) sets.push_back(&model);
-    const double worth = kWorthOfAValue * whole_gain();
-    const auto price = [&](const FittedModel* set) { return set->judged.cost.cost + worth * set->judged.told; };
-    std::sort(sets.begin(), sets.end(),
-              [&](const FittedModel* a, const FittedModel* b) { return price(a) < price(b); });
-    return sets;
-  }
-
   const Hypothesis& hypothesis_of(const EffectEntry& entry) const {
     return *std::find_if(look_.hypotheses.begin(), look_.hypotheses.end(),
                          [&](const Hypothesis& one) { return member_name(one.entry) == member_name(entry); });
@@ -135,16 +104,8 @@ class EffectSearch {
   bool of_one_kind_as(const FittedModel& single, const std::vector<Entries>& chosen) const {
     return std::any_of(chosen.begin(), chosen.end(), [&](const Entries& other) {
       return of_one_kind(hypothesis_of(single.model.added.front()), hypothesis_of(other.front())) ||
-             does_the_same(single, *models_.find(members_of(other)));
+             sets_.does_the_same(single, *models_.find(members_of(other)));
     });
-  }
-
-  /// Whether an effect with a value for each joint is beside itself on one of them.
-  bool is_twice(const Entries& added) const {
-    FittedModels::Members members;
-    for (const EffectEntry& placed : placed_entries(added, data_.plain().definition.structure.robot))
-      if (!members.insert(member_name(placed)).second) return true;
-    return false;
   }
 
   /// Whether an effect acts like one of these, or is a richer law of its kind.
@@ -153,14 +114,8 @@ class EffectSearch {
       const FittedModel& before = *models_.find(members_of(other));
       const bool is_richer = of_one_kind(hypothesis_of(single.model.added.front()), hypothesis_of(other.front())) &&
                              single.judged.values > before.judged.values;
-      return is_richer || does_the_same(single, before);
+      return is_richer || sets_.does_the_same(single, before);
     });
-  }
-
-  /// Whether two sets gain the same in every block of time.
-  bool does_the_same(const FittedModel& one, const FittedModel& other) const {
-    const Eigen::VectorXd gain = models_.base().judged.cost.by_block() - other.judged.cost.by_block();
-    return (one.judged.cost.by_block() - other.judged.cost.by_block()).norm() < kSame * gain.norm();
   }
 
   void look_beside(const Entries& parent, std::size_t most) {
@@ -180,7 +135,7 @@ class EffectSearch {
 
   void fit_pairs() {
     std::vector<Entries> leading, kinds;
-    for (const FittedModel* single : ordered(1)) {
+    for (const FittedModel* single : sets_.ordered(1)) {
       if (leading.size() < kLeading && !of_one_kind_as(*single, leading)) leading.push_back(single->model.added);
       if (kinds.size() < kKinds && !is_like(*single, kinds)) kinds.push_back(single->model.added);
     }
@@ -197,42 +152,26 @@ class EffectSearch {
     fit(both, {both_values(of_other, of_one), slightly(of_one, of_other, look_)});
   }
 
-  double whole_gain() const {
-    double gain = 0.0;
-    for (const auto& [members, model] : models_.all())
-      gain = std::max(gain, gain_of(model.judged, models_.base().judged).nats);
-    return gain;
-  }
-
-  /// Whether a pair gains more than each of its effects alone.
-  bool gains_by_both(const FittedModel& pair) const {
-    const double worth = kWorthATriple * whole_gain();
-    return std::all_of(pair.model.added.begin(), pair.model.added.end(), [&](const EffectEntry& entry) {
-      const FittedModel* part = models_.find({member_name(entry)});
-      return !part || gain_of(pair.judged, part->judged).nats > worth;
-    });
-  }
-
   /// Beside the leading pairs, where a pair gains more than one effect does.
   void fit_triples() {
-    const std::vector<const FittedModel*> pairs = ordered(2), singles = ordered(1);
+    const std::vector<const FittedModel*> pairs = sets_.ordered(2), singles = sets_.ordered(1);
     if (pairs.empty() || singles.empty()) return;
     const CostGain more = gain_of(pairs.front()->judged, singles.front()->judged);
-    if (!more.is_told() || more.nats < kWorthATriple * whole_gain()) return;
+    if (!more.is_told() || more.nats < kWorthATriple * sets_.whole_gain()) return;
     std::vector<Entries> leading;
     for (const FittedModel* pair : pairs) {
       const bool is_like = std::any_of(leading.begin(), leading.end(), [&](const Entries& other) {
-        return does_the_same(*pair, *models_.find(members_of(other)));
+        return sets_.does_the_same(*pair, *models_.find(members_of(other)));
       });
-      if (leading.size() < kLeading && !is_like && gains_by_both(*pair)) leading.push_back(pair->model.added);
+      if (leading.size() < kLeading && !is_like && sets_.gains_by_both(*pair)) leading.push_back(pair->model.added);
     }
     for (const Entries& pair : leading) look_beside(pair, kBesidePair);
   }
 
   /// The best set with each member in turn replaced by the effect with the largest predicted gain beside the others.
   void swap_members() {
-    const Entries added = best_set()->model.added;
-    const NamedValues values = best_set()->values;
+    const Entries added = sets_.best()->model.added;
+    const NamedValues values = sets_.best()->values;
     for (std::size_t i = 0; i < added.size() && added.size() > 1; ++i) {
       const Entries rest = without_member(added, i);
       if (!models_.find(members_of(rest))) noted(models_.refine(rest, values));
@@ -242,9 +181,9 @@ class EffectSearch {
 
   /// The best set and the best single effect, each member replaced by one or two simpler effects of its kind.
   void simplify_members() {
-    const std::vector<const FittedModel*> singles = ordered(1);
+    const std::vector<const FittedModel*> singles = sets_.ordered(1);
     if (!singles.empty()) simplify(singles.front()->model.added, NamedValues(singles.front()->values));
-    const FittedModel* best = best_set();
+    const FittedModel* best = sets_.best();
     simplify(Entries(best->model.added), NamedValues(best->values));
   }
 
@@ -283,30 +222,17 @@ class EffectSearch {
     if (!models_.find(members_of(added))) fit(added, {start});
   }
 
-  const FittedModel* best_set() const {
-    const FittedModel* best = &models_.base();
-    for (const auto& [members, model] : models_.all())
-      if (model.judged.cost.cost < best->judged.cost.cost) best = &model;
-    return best;
-  }
-
-  static Entries without_member(const Entries& added, std::size_t member) {
-    Entries rest = added;
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(member));
-    return rest;
-  }
-
   /// Refits the parts of the best sets from the values of the sets; parts of the very best even where they are fitted.
   void refit_parts() {
-    std::vector<std::pair<Entries, NamedValues>> best = {{best_set()->model.added, best_set()->values}};
-    for (const FittedModel* set : ordered(kMostMembers))
+    std::vector<std::pair<Entries, NamedValues>> best = {{sets_.best()->model.added, sets_.best()->values}};
+    for (const FittedModel* set : sets_.ordered(kMostMembers))
       if (best.size() <= kLeading) best.emplace_back(set->model.added, set->values);
     for (std::size_t i = 0; i < best.size(); ++i) refit_parts_of(best[i].first, best[i].second, i == 0);
   }
 
   /// Refits the sets that are nearly as good as the best, with their own derivatives.
   void refit_nearly_as_good() {
-    const double enough = best_set()->judged.cost.cost + kSame * whole_gain();
+    const double enough = sets_.best()->judged.cost.cost + kSame * sets_.whole_gain();
     std::vector<std::pair<Entries, NamedValues>> near;
     for (const auto& [members, model] : models_.all())
       if (model.judged.cost.cost < enough) near.emplace_back(model.model.added, model.values);
@@ -336,10 +262,7 @@ class EffectSearch {
       }
   }
 
-  const FittedModel& answer() const {
-    const std::vector<const FittedModel*> sets = sets_of(models_);
-    return *sets[decide(judged_sets(models_), looked_, kSeed).answer];
-  }
+  const FittedModel& answer() const { return *sets_.candidates()[decide(sets_.judged(), looked_, kSeed).answer]; }
 
   /// The answer with a member replaced by one of equal predicted gain: indistinguishable on these data.
   void fit_twins_of_answer() {
@@ -355,18 +278,13 @@ class EffectSearch {
   void spread_answer() {
     const FittedModel& from = answer();
     spread_from_ = from.judged.members;
-    spread_ = spread_over_places(models_, look_, from, whole_gain());
+    spread_ = spread_over_places(models_, look_, from, sets_.whole_gain());
     if (spread_) say("one value per joint");
-  }
-
-  static FittedModels::Members members_of(const Entries& added) {
-    FittedModels::Members members;
-    for (const EffectEntry& entry : added) members.insert(member_name(entry));
-    return members;
   }
 
   const SearchData& data_;
   FittedModels models_;
+  const FittedSets sets_;
   EffectLook look_;
   std::vector<LookedBeside> looked_;
   FittedModels::Members spread_from_;
@@ -377,12 +295,13 @@ void conclude(const EffectSearch& search, SearchResult& result) {
   const FittedModels& models = search.models();
   result.layout = models.ladder().layout;
   result.sets.clear();
-  for (const FittedModel* set : sets_of(models)) {
+  const FittedSets sets(models);
+  for (const FittedModel* set : sets.candidates()) {
     result.sets.push_back(*set);
     result.sets.back().model.added = set->model.placed;
   }
   result.looked = search.looked();
-  result.decision = decide(judged_sets(models), result.looked, kSeed);
+  result.decision = decide(sets.judged(), result.looked, kSeed);
   result.spread = search.spread_from(result.sets[result.decision.answer].judged.members);
   result.hypotheses = search.look().hypotheses.size();
   result.untestable = search.look().untestable;

@@ -37,12 +37,6 @@ std::vector<std::string> value_names(const AugmentedModel& model, bool timing) {
   return names;
 }
 
-std::set<std::string> member_names(const std::vector<EffectEntry>& added) {
-  std::set<std::string> names;
-  for (const EffectEntry& entry : added) names.insert(member_name(entry));
-  return names;
-}
-
 /// Whether two values change all predictions in proportion.
 bool act_as_one(const Eigen::MatrixXd& information, Eigen::Index one, Eigen::Index other) {
   const double both = information(one, one) * information(other, other);
@@ -96,6 +90,12 @@ std::vector<EffectEntry> with_ids(std::vector<EffectEntry> added) {
 
 }  // namespace
 
+std::set<std::string> members_of(const std::vector<EffectEntry>& added) {
+  std::set<std::string> names;
+  for (const EffectEntry& entry : added) names.insert(member_name(entry));
+  return names;
+}
+
 NamedValues named_values(const AugmentedModel& model, const std::vector<double>& values) {
   NamedValues result;
   for (std::size_t i = 0; i < model.definition.free.size(); ++i)
@@ -143,7 +143,7 @@ const FittedModel* FittedModels::restore(const std::vector<EffectEntry>& added, 
 
 /// The number of lengths is part of the name: values fitted to some lengths differ from those of all.
 std::string FittedModels::kept_name(const std::vector<EffectEntry>& added) const {
-  return fmt::format("{} lengths: {}", ladder_.lengths.size(), fmt::join(member_names(added), " + "));
+  return fmt::format("{} lengths: {}", ladder_.lengths.size(), fmt::join(members_of(added), " + "));
 }
 
 const FittedModel* FittedModels::find(const Members& members) const {
@@ -153,7 +153,7 @@ const FittedModel* FittedModels::find(const Members& members) const {
 
 AugmentedModel FittedModels::model_with(const std::vector<EffectEntry>& added) const {
   const auto holds_what_it_should = [&](const EffectEntry& entry) { return entry.fixed == held_of(entry); };
-  if (const FittedModel* known = find(member_names(added));
+  if (const FittedModel* known = find(members_of(added));
       known && std::all_of(known->model.added.begin(), known->model.added.end(), holds_what_it_should))
     return known->model;
   std::vector<EffectEntry> entries = with_ids(added);
@@ -217,10 +217,10 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
     ++fits_;
     if (fit.valid && (!least.valid || fit.cost < least.cost)) least = std::move(fit);
   }
-  if (!least.valid) return find(member_names(added));
+  if (!least.valid) return find(members_of(added));
   if (added.empty()) cost_on_few_ = least.cost;
   const double gain = cost_on_few_ - least.cost;
-  if (gain < least_share * most_on_few_) return find(member_names(added));
+  if (gain < least_share * most_on_few_) return find(members_of(added));
   most_on_few_ = std::max(most_on_few_, gain);
   LadderPredictions all(ladder_, context.predictor(), context.space(), data_.starts(), of_readings);
   all.take_steps_of(few);
@@ -248,7 +248,7 @@ const FittedModel* FittedModels::refine(const std::vector<EffectEntry>& added, c
 }
 
 const FittedModel* FittedModels::keep(AugmentedModel candidate, PredictionFit fit) {
-  const Members members = member_names(candidate.added);
+  const Members members = members_of(candidate.added);
   const FittedModel* known = find(members);
   const bool holds_more = known && candidate.definition.free.size() < known->model.definition.free.size();
   if (!fit.valid || (known && !holds_more && known->fit.cost < fit.cost + kBetter)) return known;

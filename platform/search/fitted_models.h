@@ -21,6 +21,9 @@ struct FittedModel {
   CandidateSet judged;
 };
 
+/// "effect @ place" of each.
+std::set<std::string> members_of(const std::vector<EffectEntry>& added);
+
 /// Fits sets of effects on one ladder and keeps the fits by their members.
 class FittedModels {
  public:
