@@ -21,8 +21,9 @@ constexpr std::size_t kLeading = 2;   ///< sets beside which the whole library i
 constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each of them
 constexpr std::size_t kKinds = 5;     ///< the best effects that act differently, fitted in pairs
 constexpr std::size_t kBesidePair = 3;
-constexpr std::size_t kSwapped = 3;  ///< effects tried in place of a member
-constexpr std::uint64_t kSeed = 1;   ///< of the random signs
+constexpr std::size_t kSwapped = 3;     ///< effects tried in place of a member
+constexpr std::size_t kMostOnEach = 3;  ///< values of a set that differ from joint to joint; more take too long to fit
+constexpr std::uint64_t kSeed = 1;      ///< of the random signs
 
 class EffectSearch {
  public:
@@ -74,7 +75,8 @@ class EffectSearch {
   }
 
   const FittedModel* fit(const Entries& added, const std::vector<NamedValues>& starts, double least_share = 0.0) {
-    if (is_twice(added, data_.plain().definition.structure.robot)) return nullptr;
+    if (is_twice(added, data_.plain().definition.structure.robot) || values_on_each(added) > kMostOnEach)
+      return nullptr;
     std::vector<NamedValues> slight;
     for (std::size_t i = 0; i < added.size(); ++i)
       if (const FittedModel* part = models_.find(members_of(without_member(added, i))))
@@ -99,6 +101,14 @@ class EffectSearch {
   const Hypothesis& hypothesis_of(const EffectEntry& entry) const {
     return *std::find_if(look_.hypotheses.begin(), look_.hypotheses.end(),
                          [&](const Hypothesis& one) { return member_name(one.entry) == member_name(entry); });
+  }
+
+  /// On each of many joints.
+  std::size_t values_on_each(const Entries& added) const {
+    std::size_t values = 0;
+    for (const EffectEntry& entry : added)
+      if (const Hypothesis& one = hypothesis_of(entry); one.placed.size() > 1) values += one.parameters();
+    return values;
   }
 
   bool of_one_kind_as(const FittedModel& single, const std::vector<Entries>& chosen) const {

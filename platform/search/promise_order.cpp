@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kNearlyAsMuch =
     0.3;  ///< of the predicted gain of a simpler effect of its kind; with less, an effect is not fitted
+constexpr double kMoreOnEach = 1.05;    ///< the same for effects with a value for each joint, which take long to fit
 constexpr double kLeastPromise = 1e-3;  ///< nats
 constexpr double kSamePromise =
     0.03;  ///< of the gains by blocks of time: effects closer than this are predicted to act alike
@@ -32,7 +33,7 @@ struct Compared {
   bool is_outdone_by(const EffectPromise& other) const {
     const Hypothesis &own = hypothesis_of(promise), &simpler = hypothesis_of(other);
     return simpler.parameters() < own.parameters() && of_one_kind(simpler, own) &&
-           gain_of(promise) < kNearlyAsMuch * gain_of(other);
+           gain_of(promise) < (own.placed.size() > 1 ? kMoreOnEach : kNearlyAsMuch) * gain_of(other);
   }
   bool is_twin_of(const EffectPromise& other) const {
     return (promise.gains - other.gains).norm() < kSamePromise * promise.gains.norm();
