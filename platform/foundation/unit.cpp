@@ -1,5 +1,7 @@
 #include "foundation/unit.h"
 
+#include "foundation/text/unit_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -144,9 +146,35 @@ bool takes_prefix(const std::string& unit) {
   return !raised && std::find(std::begin(kLeading), std::end(kLeading), first) != std::end(kLeading);
 }
 
+/// What a number is multiplied by before it is printed, and what is printed behind it.
+struct Scaling {
+  double factor = 1.0;
+  std::string unit;
+};
+
+Scaling scaling_for(double magnitude, const std::string& unit) {
+  const auto with = [&](double factor, const char* prefix) {
+    return Scaling{factor, unit == "1" ? "" : std::string(" ") + prefix + unit_text(unit)};
+  };
+  if (!takes_prefix(unit) || magnitude == 0.0 || !std::isfinite(magnitude)) return with(1.0, "");
+  if (magnitude < 1e-6) return with(1e9, "n");
+  if (magnitude < 1e-3) return with(1e6, "\u00b5");
+  if (magnitude < 0.1) return with(1e3, "m");
+  if (magnitude >= 1e4) return with(1e-3, "k");
+  return with(1.0, "");
+}
+
+std::string number_text(double value, int digits) {
+  const double magnitude = std::abs(value);
+  const int before =
+      magnitude > 0.0 && std::isfinite(magnitude) ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
+  return before > digits + 3 || before < -3 ? fmt::format("{:.{}g}", value, digits)
+                                            : fmt::format("{:.{}f}", value, std::max(digits - before, 0));
+}
+
 }  // namespace
 
-std::optional<Unit> parse_unit(std::string_view text) { return UnitParser(text).parse(); }
+std::optional<Unit> parse_unit(std::string_view text) { return UnitParser(typed_unit(text)).parse(); }
 
 std::string known_units() {
   return "m, mm, cm, in, ft, rad, mrad, deg, rev, s, ms, min, kg, g, lb, oz, N, mN, lbf, kip, kgf, ozf, psi, Pa, V, "
@@ -155,22 +183,14 @@ std::string known_units() {
 }
 
 std::string format_quantity(double value_in_si, const std::string& unit, int digits) {
-  const auto text = [&](double value, const char* prefix) {
-    const double magnitude = std::abs(value);
-    const int before =
-        magnitude > 0.0 && std::isfinite(magnitude) ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
-    const std::string number = before > digits + 3 || before < -3
-                                   ? fmt::format("{:.{}g}", value, digits)
-                                   : fmt::format("{:.{}f}", value, std::max(digits - before, 0));
-    return unit == "1" ? number : number + " " + prefix + unit;
-  };
-  const double magnitude = std::abs(value_in_si);
-  if (!takes_prefix(unit) || magnitude == 0.0 || !std::isfinite(value_in_si)) return text(value_in_si, "");
-  if (magnitude < 1e-6) return text(value_in_si * 1e9, "n");
-  if (magnitude < 1e-3) return text(value_in_si * 1e6, "\u00b5");
-  if (magnitude < 0.1) return text(value_in_si * 1e3, "m");
-  if (magnitude >= 1e4) return text(value_in_si * 1e-3, "k");
-  return text(value_in_si, "");
+  const Scaling scaling = scaling_for(std::abs(value_in_si), unit);
+  return number_text(value_in_si * scaling.factor, digits) + scaling.unit;
+}
+
+std::string format_change(double before_in_si, double after_in_si, const std::string& unit, int digits) {
+  const Scaling scaling = scaling_for(std::max(std::abs(before_in_si), std::abs(after_in_si)), unit);
+  return fmt::format("{} → {}{}", number_text(before_in_si * scaling.factor, digits),
+                     number_text(after_in_si * scaling.factor, digits), scaling.unit);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 #include "app/runs/run_display.h"
 
+#include "foundation/text/unit_text.h"
+
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -27,7 +29,7 @@ std::string objective_text(const PassRow& pass) {
   std::string text;
   for (const ObjectiveRow& row : pass.objective)
     if (row.name.find('*') != std::string::npos)
-      text += fmt::format(" · {} off by {:.3g} {}", row.name, row.value, row.unit);
+      text += fmt::format(" · {} off by {:.3g} {}", row.name, row.value, unit_text(row.unit));
   return text;
 }
 

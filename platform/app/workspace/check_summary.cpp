@@ -3,6 +3,7 @@
 #include "app/workspace/channel_extent.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/plain_text.h"
+#include "foundation/text/unit_text.h"
 #include "app/workspace/note_sentences.h"
 #include "foundation/unit.h"
 
@@ -85,18 +86,18 @@ std::string trial_lines(const std::vector<Trial>& trials) {
   return text;
 }
 
-/// " × 50 mN*m/A": the gain as it is written.
+/// " × 50 mN·m/A": the gain in the unit in which it is written.
 std::string gain_text(const ColumnMapping& mapping) {
   if (mapping.gain_unit.empty()) return mapping.gain == 1.0 ? "" : fmt::format(" × {:.7g}", mapping.gain);
   const std::optional<Unit> unit = parse_unit(mapping.gain_unit);
-  return fmt::format(" × {:.7g} {}", mapping.gain / (unit ? unit->to_si : 1.0), mapping.gain_unit);
+  return fmt::format(" × {:.7g} {}", mapping.gain / (unit ? unit->to_si : 1.0), unit_text(mapping.gain_unit));
 }
 
 std::string mapping_text(const ColumnMapping& mapping, const ChannelExtent& extent, const char* what) {
   const std::string& y = mapping.track.other;
   std::string text = fmt::format("{}, {}: {}", mapping.channel, what,
                                  y.empty() ? "column " + mapping.column : "columns " + mapping.column + " and " + y);
-  if (mapping.unit != "1") text += " in " + mapping.unit;
+  if (mapping.unit != "1") text += " in " + unit_text(mapping.unit);
   text += gain_text(mapping);
   if (extent.smallest <= extent.largest)
     text += fmt::format(", {} to {}", format_quantity(extent.smallest, extent.unit),

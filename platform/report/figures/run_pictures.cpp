@@ -1,5 +1,6 @@
 #include "report/figures/run_pictures.h"
 
+#include "foundation/text/unit_text.h"
 #include "report/figures/spread.h"
 
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ std::vector<ObjectiveRow> groups_of(const std::vector<PassRow>& passes) {
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() || unit == "1" ? name : name + " (" + unit + ")";
+  return unit.empty() || unit == "1" ? name : name + " (" + unit_text(unit) + ")";
 }
 
 std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {

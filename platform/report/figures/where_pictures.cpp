@@ -1,5 +1,6 @@
 #include "report/figures/where_pictures.h"
 
+#include "foundation/text/unit_text.h"
 #include "report/figures/figure.h"
 #include "report/text/where_text.h"
 
@@ -92,7 +93,7 @@ std::optional<Figure> regimes_figure(const ResidualView& view, const FeatureTabl
 
 std::string axis(const StateFeature& feature, const IndependenceTest& test, bool depends) {
   std::string text = feature.full_name();
-  if (feature.unit != "1") text += " [" + feature.unit + "]";
+  if (feature.unit != "1") text += " [" + unit_text(feature.unit) + "]";
   return text + (depends ? fmt::format(": depends, {:.0f} %", 100.0 * test.share) : "");
 }
 

@@ -1,6 +1,7 @@
 #include "report/text/change_text.h"
 
 #include "foundation/text/figure_text.h"
+#include "foundation/text/unit_text.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
 #include "report/text/error_text.h"
@@ -67,7 +68,7 @@ std::string value_rows(const RevisionErrors& before, const RevisionErrors& after
     const FittedValue* then = value_at(before.fit, now.address);
     const IntervalText text = interval_text(now);
     rows.push_back({now.address, then ? interval_text(*then).value + " →" : "new", text.value,
-                    now.unit == "1" ? "" : now.unit, text.interval});
+                    now.unit == "1" ? "" : unit_text(now.unit), text.interval});
   }
   return text_table(rows);
 }
