@@ -228,7 +228,7 @@ JOIN model ON model.id = pass.best_model
 JOIN best_value ON best_value.pass = pass.id
 JOIN free_value ON free_value.run = pass.run AND free_value.position = best_value.position;
 
--- One row per address, or group of addresses, of the best model of a pass: its error from the hidden value.
+-- One row per pass and parameter, or group of parameters, of the best model: the difference from the true (hidden) value.
 -- example: SELECT pass, address, avg(error), unit FROM parameter_error_by_pass GROUP BY pass, address ORDER BY address, pass;
 CREATE VIEW parameter_error_by_pass AS
 SELECT experiment, run, replicate, pass, address, abs(error) AS error, unit
@@ -257,7 +257,7 @@ JOIN experiment ON experiment.id = eea_run.experiment
 LEFT JOIN ensemble_value ON ensemble_value.pass = ensemble_model.pass AND ensemble_value.rank = ensemble_model.rank
 LEFT JOIN free_value ON free_value.run = pass.run AND free_value.position = ensemble_value.position;
 
--- One row per trial that a run carried out: the prediction error of the best model before the trial, and the number of passes in which the trial was set aside.
+-- Prediction error on new trials, one row per trial that a run carried out: error of the best model before the trial was fitted, and number of passes in which the trial was excluded.
 -- example: SELECT run, trial, surprise, metric, passes_set_aside FROM foretold ORDER BY run, trial;
 CREATE VIEW foretold AS
 SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, target_trial.number AS trial,
