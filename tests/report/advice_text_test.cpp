@@ -48,8 +48,10 @@ TEST(AdviceText, WhatTheUncertainStartExplainsIsNoMissingEffect) {
       advice_on(fit_score(1.7e-3, 6e-4)),
       AllOf(
           HasSubstr(
-              "1.7 × the noise floor, which the initial-state uncertainty can explain (a right model has up to 1.9 × "),
-          Not(HasSubstr("missing")), Not(HasSubstr("lacuna diagnose"))));
+              "Error is 1.7 × the noise floor. The initial-state uncertainty can explain it: a correct model has up to "
+              "1.9 ×. No missing effect is visible\n"),
+          Not(HasSubstr("something is missing")), Not(HasSubstr("lacuna diagnose"))));
+  EXPECT_TRUE(advice_on(comparison_of(fit_score(1.7e-3, 6e-4)), "lacuna diagnose rig.toml").is_explained);
 }
 
 TEST(AdviceText, WhatTheStartDoesNotExplainMayBeAnEffect) {
@@ -90,8 +92,8 @@ Comparison with_held_out(double rmse) {
 
 TEST(AdviceText, AModelIsNotAtTheFloorWhereHeldOutTrialsAreNot) {
   EXPECT_THAT(advice_text(with_held_out(9e-3), "lacuna diagnose rig.toml"),
-              AllOf(HasSubstr("Error is 1.0 × the noise floor: as small as the noise allows. On the held-out files: "
-                              "angle 9.0 ×, largest in held.csv at 5.22 s"),
+              AllOf(HasSubstr("Error is 1.0 × the noise floor: as small as the noise allows. Held-out files: "
+                              "angle 9.0 ×, largest in held.csv at 5.22 s. Either this motion"),
                     HasSubstr("Next: move a held-out file to target.files, then lacuna diagnose rig.toml\n")));
 }
 
@@ -99,8 +101,8 @@ TEST(AdviceText, SaysWhereTheStartExplainsTheErrorOfHeldOutTrials) {
   Comparison comparison = with_held_out(9e-3);
   comparison.pooled.back().from_start = 5e-3;
   EXPECT_EQ(advice_text(comparison, "lacuna diagnose rig.toml"),
-            "Error is 1.0 × the noise floor: as small as the noise allows. On the held-out files: angle 9.0 ×, which "
-            "the initial-state uncertainty can explain (a right model has up to 12.1 × with such starts)\n");
+            "Error is 1.0 × the noise floor: as small as the noise allows. Held-out files: angle 9.0 × (a correct "
+            "model has up to 12.1 ×, because of the initial-state uncertainty). No missing effect is visible\n");
 }
 
 TEST(AdviceText, HeldOutTrialsAtTheFloorAreNotWorthAWord) {

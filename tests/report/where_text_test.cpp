@@ -45,7 +45,8 @@ TEST(FindingText, SaysShareAndRegime) {
                         .share = 0.614,
                         .share_of_samples = 0.11,
                         .conditions = {condition(1, -INFINITY, 0.05)}};
-  EXPECT_EQ(finding_text(finding, table()), "61 % of squared error in 11 % of samples: |velocity| < 50 mrad/s");
+  EXPECT_EQ(finding_text(finding, table()),
+            "61 % of the squared error is in 11 % of the samples: |velocity| < 50 mrad/s");
 }
 
 TEST(FindingText, SaysOnWhatAResidualDependsAndOnWhatNot) {
@@ -56,18 +57,17 @@ TEST(FindingText, SaysOnWhatAResidualDependsAndOnWhatNot) {
                         .features = {2, 1},
                         .not_on = {0, 4, 6},
                         .p = 1e-7};
-  EXPECT_EQ(
-      finding_text(finding, table()),
-      "40 % of squared unexplained acceleration: angle depends on direction of motion, |velocity|, p < 0.001; not "
-      "on command, position, time");
+  EXPECT_EQ(finding_text(finding, table()),
+            "40 % of the squared unexplained acceleration of angle is explained by direction of motion and |velocity| "
+            "(p < 0.001), not by command, position or time");
 }
 
 TEST(FindingText, SaysSignsOfParts) {
   EXPECT_EQ(finding_text({.kind = FindingKind::offset, .share = 0.3, .channel = "angle", .size = -0.02, .unit = "rad"},
                          table()),
-            "30 % of squared error: angle is measured 20 mrad lower than predicted on average");
+            "30 % of the squared error is an offset: angle is measured 20 mrad lower than predicted on average");
   EXPECT_EQ(finding_text({.kind = FindingKind::magnitude, .share = 0.3, .channel = "angle", .size = 0.06}, table()),
-            "30 % of squared error: predicted angle swings 6 % too wide");
+            "30 % of the squared error is an error of amplitude: the predicted angle is 6 % too large");
 }
 
 WhereItFails one_view() {
@@ -125,7 +125,7 @@ TEST(WhereDocument, HasTheStretchesOfTimeThatARegimeSpeaksOf) {
   for (const Eigen::Index slow : {2, 3, 5, 6}) where.table.values(slow, 1) = 0.01;
   where.findings = {{.kind = FindingKind::regime, .share = 0.6, .conditions = {condition(1, -INFINITY, 0.05)}},
                     {.kind = FindingKind::trial, .share = 0.3, .trial = "chirp.csv"}};
-  const nlohmann::json document = nlohmann::json::parse(where_document(where, comparison));
+  const nlohmann::json document = nlohmann::json::parse(where_document(where, comparison, {}));
   const nlohmann::json& stretches = document["findings"][0]["stretches"];
   ASSERT_EQ(stretches.size(), 2U);
   EXPECT_EQ(stretches[0]["trial"], "sine.csv");

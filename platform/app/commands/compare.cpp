@@ -5,6 +5,7 @@
 #include "app/workspace/experiment_workflow.h"
 #include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
+#include "foundation/text/shell_word.h"
 #include "report/figures/comparison_pictures.h"
 #include "report/figures/where_pictures.h"
 #include "report/json/comparison_json.h"
@@ -38,7 +39,10 @@ void run_compare(const CompareOptions& options) {
       workflow.compare_model(fitted.result, !options.as_is, true, options.cross_check);
   const WhereItFails where = workflow.where_it_fails(fitted.result, compared.result);
   lift_time_limit();  // what follows is quick
-  workflow.recorder().keep_where_it_fails(compared.id, where_document(where, compared.result));
+  // The database has no folders of this machine, so the command that it keeps names the file alone.
+  const std::string diagnose = "lacuna diagnose " + shell_word(options.experiment.filename().string());
+  workflow.recorder().keep_where_it_fails(compared.id,
+                                          where_document(where, compared.result, advice_on(compared.result, diagnose)));
   const ComparisonHeading heading{
       workflow.opened().experiment.name,
       compared.look,
@@ -81,7 +85,7 @@ void add_compare_command(CLI::App& program) {
   add_time_limit_option(*command);
   command->add_flag("--as-is", options->as_is, "Do not fit; use the values that are written in the files");
   command->add_flag("--cross-check", options->cross_check,
-                    "Predict with the other engine too and print the difference");
+                    "Also predict with the second physics engine (ode or articulated) and print the difference");
   add_result_option(*command, "csv", options->csv, "Scores as CSV, to standard output or FILE");
   command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)")->option_text("FOLDER");
   command->callback([options] { run_compare(*options); });

@@ -209,7 +209,7 @@ ordered_json where_json(const WhereItFails& where) {
   return {{"samples", where.table.trial.size()}, {"features", features}, {"whiteness", whiteness}, {"views", views}};
 }
 
-std::string where_document(const WhereItFails& where, const Comparison& comparison) {
+std::string where_document(const WhereItFails& where, const Comparison& comparison, const Advice& advice) {
   ordered_json findings = findings_json(where), details = where_json(where);
   for (std::size_t i = 0; i < where.findings.size(); ++i) {
     const Finding& finding = where.findings[i];
@@ -221,7 +221,9 @@ std::string where_document(const WhereItFails& where, const Comparison& comparis
     for (std::size_t r = 0; r < where.views[v].regimes.size(); ++r)
       details["views"][v]["regimes"][r]["stretches"] =
           stretches(where.views[v].regimes[r].conditions, where.table, comparison);
-  return ordered_json{{"findings", findings}, {"where", details}}.dump();
+  const ordered_json follows = {
+      {"result", advice.result}, {"next", advice.next}, {"is_explained", advice.is_explained}};
+  return ordered_json{{"findings", findings}, {"where", details}, {"advice", follows}}.dump();
 }
 
 }  // namespace lacuna

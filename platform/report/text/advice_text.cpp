@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace lacuna {
@@ -36,15 +37,15 @@ double times_explained(const Comparison& comparison, const PooledScore& score) {
   return score.rmse / explained(comparison, score);
 }
 
-std::string failed_text(const Comparison& comparison) {
+/// Trials that cannot be simulated; nothing where all can.
+std::optional<Advice> advice_on_failures(const Comparison& comparison) {
   std::vector<std::string> failed;
   for (const TrialComparison& trial : comparison.trials)
     if (!trial.valid) failed.push_back(trial.trial + ": " + trial.reason);
-  if (failed.empty()) return "";
-  return fmt::format(
-      "{} of {} cannot be simulated, so their common error is not known ({}). Next: use a smaller engine.step, or "
-      "narrower bounds of the free values\n",
-      failed.size(), counted(comparison.trials.size(), "trial"), fmt::join(failed, "; "));
+  if (failed.empty()) return std::nullopt;
+  return Advice{fmt::format("{} of {} cannot be simulated, so their common error is not known ({}).", failed.size(),
+                            counted(comparison.trials.size(), "trial"), fmt::join(failed, "; ")),
+                "use a smaller engine.step, or narrower bounds of the free values"};
 }
 
 /// A channel of the fit trials whose floor is not known.
@@ -64,45 +65,58 @@ const PooledScore* furthest(const Comparison& comparison, bool held_out) {
   return worst;
 }
 
-/// That the initial-state uncertainty explains the error.
-std::string by_the_start(const Comparison& comparison, const PooledScore& score) {
-  return fmt::format("which the initial-state uncertainty can explain (a right model has up to {} × with such starts)",
-                     times_floor_text(kAtTheFloor * explained(comparison, score) / score.floor));
+/// The error in multiples of the floor up to which the initial-state uncertainty explains it.
+std::string most_explained(const Comparison& comparison, const PooledScore& score) {
+  return times_floor_text(kAtTheFloor * explained(comparison, score) / score.floor);
 }
 
-/// That the error of the fit trials may be that of a right model, with the reason.
+/// That the error of the fit trials may be that of a correct model, with the reason.
 std::string at_the_floor(const Comparison& comparison, const PooledScore& score) {
   const std::string times = times_floor_text(score.times_floor);
   if (score.times_floor <= kAtTheFloor)
     return fmt::format("Error is {} × the noise floor: as small as the noise allows", times);
-  return fmt::format("Error is {} × the noise floor, {}", times, by_the_start(comparison, score));
+  return fmt::format(
+      "Error is {} × the noise floor. The initial-state uncertainty can explain it: a correct model has up to {} ×",
+      times, most_explained(comparison, score));
 }
 
-/// Evidence of the held-out trials against a model that is at the noise floor on the fit trials.
-std::string held_out_text(const Comparison& comparison, const std::string& diagnose) {
+/// Of a model whose error on the fit trials is explained, with the evidence of the held-out trials.
+Advice advice_on_explained(const Comparison& comparison, const PooledScore& fit, const std::string& diagnose) {
+  const std::string of_fit = at_the_floor(comparison, fit);
   const PooledScore* worst = furthest(comparison, true);
-  if (worst == nullptr || !(worst->times_floor > kAtTheFloor)) return "";
+  if (worst == nullptr || !(worst->times_floor > kAtTheFloor))
+    return {of_fit + (fit.times_floor > kAtTheFloor ? ". No missing effect is visible" : ""), "", true};
+  const std::string held_out =
+      fmt::format("{}. Held-out files: {} {} ×", of_fit, worst->channel, times_floor_text(worst->times_floor));
   if (times_explained(comparison, *worst) <= kAtTheFloor)
-    return fmt::format(". On the held-out files: {} {} ×, {}", worst->channel, times_floor_text(worst->times_floor),
-                       by_the_start(comparison, *worst));
-  return fmt::format(
-      ". On the held-out files: {} {} ×, largest in {} at {:.2f} s. Either this motion excites an effect that the fit "
-      "files do not, or the recording differs. Next: move a held-out file to target.files, then {}",
-      worst->channel, times_floor_text(worst->times_floor), worst->worst_trial, worst->worst_time, diagnose);
+    return {fmt::format("{} (a correct model has up to {} ×, because of the initial-state uncertainty). No missing "
+                        "effect is visible",
+                        held_out, most_explained(comparison, *worst)),
+            "", true};
+  return {
+      fmt::format("{}, largest in {} at {:.2f} s. Either this motion excites an effect that the fit files do not, or "
+                  "the recording differs.",
+                  held_out, worst->worst_trial, worst->worst_time),
+      "move a held-out file to target.files, then " + diagnose};
 }
 
 }  // namespace
 
-std::string advice_text(const Comparison& comparison, const std::string& diagnose) {
-  if (std::string failed = failed_text(comparison); !failed.empty()) return failed;
+Advice advice_on(const Comparison& comparison, const std::string& diagnose) {
+  if (std::optional<Advice> failures = advice_on_failures(comparison)) return *failures;
   if (const PooledScore* score = without_floor(comparison); score != nullptr)
-    return fmt::format("the noise floor of {} is not known: {}\n", score->channel, score->floor_origin);
+    return {fmt::format("the noise floor of {} is not known: {}", score->channel, score->floor_origin), ""};
   const PooledScore* worst = furthest(comparison, false);
-  if (worst == nullptr) return "no fit trial was scored, so it is not known whether an effect is missing\n";
+  if (worst == nullptr) return {"no fit trial was scored, so it is not known whether an effect is missing", ""};
   if (worst->times_floor <= kAtTheFloor || times_explained(comparison, *worst) <= kAtTheFloor)
-    return at_the_floor(comparison, *worst) + held_out_text(comparison, diagnose) + "\n";
-  return fmt::format("Error is {} × the noise floor: something is missing. Next: {}\n",
-                     times_floor_text(worst->times_floor), diagnose);
+    return advice_on_explained(comparison, *worst, diagnose);
+  return {fmt::format("Error is {} × the noise floor: something is missing.", times_floor_text(worst->times_floor)),
+          diagnose};
+}
+
+std::string advice_text(const Comparison& comparison, const std::string& diagnose) {
+  const Advice advice = advice_on(comparison, diagnose);
+  return advice.result + (advice.next.empty() ? "" : " Next: " + advice.next) + "\n";
 }
 
 }  // namespace lacuna

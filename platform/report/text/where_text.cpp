@@ -90,18 +90,24 @@ std::vector<std::string> independent_kinds(const Finding& finding, const Feature
   return kinds;
 }
 
-std::string p_text(double p) { return p < 0.001 ? "p < 0.001" : fmt::format("p {:.2g}", p); }
+/// "velocity, load and time".
+std::string listed(const std::vector<std::string>& names, const char* last) {
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  return fmt::format("{} {} {}", fmt::join(names.begin(), names.end() - 1, ", "), last, names.back());
+}
+
+std::string p_text(double p) { return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p); }
 
 std::string squares_text(const Finding& finding) {
-  return percent(finding.share) +
-         (finding.view == ViewKind::acceleration ? " of squared unexplained acceleration" : " of squared error");
+  return percent(finding.share) + (finding.view == ViewKind::acceleration ? " of the squared unexplained acceleration"
+                                                                          : " of the squared error");
 }
 
 std::string dependence_text(const Finding& finding, const FeatureTable& table) {
-  std::string text = fmt::format("{}: {} depends on {}, {}", squares_text(finding), finding.channel,
-                                 fmt::join(names(finding.features, table, kNamed), ", "), p_text(finding.p));
+  std::string text = fmt::format("{} of {} is explained by {} ({})", squares_text(finding), finding.channel,
+                                 listed(names(finding.features, table, kNamed), "and"), p_text(finding.p));
   if (const std::vector<std::string> kinds = independent_kinds(finding, table); !kinds.empty())
-    text += fmt::format("; not on {}", fmt::join(kinds, ", "));
+    text += ", not by " + listed(kinds, "or");
   return text;
 }
 
@@ -118,17 +124,18 @@ std::string finding_text(const Finding& finding, const FeatureTable& table) {
   const std::string share = squares_text(finding);
   switch (finding.kind) {
     case FindingKind::regime:
-      return fmt::format("{} in {} of samples: {}", share, percent(finding.share_of_samples),
+      return fmt::format("{} is in {} of the samples: {}", share, percent(finding.share_of_samples),
                          conditions_text(finding.conditions, table));
     case FindingKind::dependence: return dependence_text(finding, table);
     case FindingKind::offset:
-      return fmt::format("{}: {} is measured {} {} than predicted on average", share, finding.channel,
+      return fmt::format("{} is an offset: {} is measured {} {} than predicted on average", share, finding.channel,
                          short_quantity(std::abs(finding.size), finding.unit), finding.size > 0.0 ? "higher" : "lower");
     case FindingKind::magnitude:
-      return fmt::format("{}: predicted {} swings {} too {}", share, finding.channel, percent(std::abs(finding.size)),
-                         finding.size > 0.0 ? "wide" : "little");
+      return fmt::format("{} is an error of amplitude: the predicted {} is {} too {}", share, finding.channel,
+                         percent(std::abs(finding.size)), finding.size > 0.0 ? "large" : "small");
     case FindingKind::trial:
-      return fmt::format("{} in {}, {} of samples", share, finding.trial, percent(finding.share_of_samples));
+      return fmt::format("{} is in {}, which has {} of the samples", share, finding.trial,
+                         percent(finding.share_of_samples));
   }
   return {};
 }
