@@ -123,6 +123,7 @@ struct Diagnosis {
   std::vector<ForceCurve> residual_force;       ///< a force that no effect explains and that is larger than noise
   std::vector<ForceFormula> formulas;           ///< formulas for that force, one per joint, the largest gain first
   std::size_t hypotheses = 0;                   ///< effect × place
+  std::vector<std::string> effect_filter;       ///< names of the only effects that were tried; empty: all
   std::vector<Untestable> untestable;
   std::vector<std::string> findings;          ///< sentences
   std::string next_test;                      ///< as `lacuna trial --test` takes it; empty: no test is needed

@@ -99,6 +99,7 @@ Diagnosis find_missing_effects(const DiagnosisTask& task) {
     lift_time_limit();
     result = stopped_before_search(task.experiment, task.catalog, task.definition, task.among, "the fit of the model");
   }
+  result.effect_filter = task.among;
   result.seconds = meter.seconds();
   return result;
 }

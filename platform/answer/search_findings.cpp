@@ -194,10 +194,9 @@ class Told {
         const double by = std::abs(after.value - before.value);
         const double error = (after.upper_95 - after.lower_95) / (2.0 * kBeyond);  // NaN: not told
         if (after.name == before.name && by > kMoved * error && by > kNoticeable * std::abs(after.value))
-          moved.push_back(fmt::format("{} ({} → {})", after.name, format_quantity(before.value, before.unit),
-                                      format_quantity(after.value, after.unit)));
+          moved.push_back(fmt::format("{} ({})", after.name, format_change(before.value, after.value, after.unit)));
       }
-    return moved.empty() ? "" : fmt::format("{} had absorbed the effect", fmt::join(moved, ", "));
+    return moved.empty() ? "" : fmt::format("without the answer, {} had absorbed the effect", fmt::join(moved, ", "));
   }
 
   /// Beyond this offset a user who simulates with the recorded commands sees an error from it.

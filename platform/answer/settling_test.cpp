@@ -65,7 +65,7 @@ bool is_worthwhile(const NextTest& test) {
 void state(const NextTest& test, Diagnosis& diagnosis) {
   if (!is_worthwhile(test)) {
     diagnosis.findings.push_back(
-        fmt::format("no test within these limits would tell {} from {}; try other commands or add a sensor",
+        fmt::format("no test within the limits of the actuators separates {} from {}; widen the limits or add a sensor",
                     test.rivals[0], test.rivals[1]));
     return;
   }

@@ -149,6 +149,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
        {"ranking", list(diagnosis.ranking)},
        {"values", by_name(diagnosis.values)},
        {"hypotheses", diagnosis.hypotheses},
+       {"effect_filter", diagnosis.effect_filter},
        {"findings", diagnosis.findings},
        {"next_test", diagnosis.next_test},
        {"next_test_setup", diagnosis.next_test_setup ? setup_json(*diagnosis.next_test_setup) : ordered_json(nullptr)},

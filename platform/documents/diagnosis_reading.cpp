@@ -163,6 +163,7 @@ Diagnosis read_diagnosis(const std::string& document) {
   for (const ordered_json& one : list_of(whole, "formulas")) diagnosis.formulas.push_back(formula_of(one));
   for (const ordered_json& one : list_of(whole, "residual_force")) diagnosis.residual_force.push_back(curve_of(one));
   diagnosis.hypotheses = whole["hypotheses"];
+  diagnosis.effect_filter = whole.value("effect_filter", std::vector<std::string>{});
   diagnosis.findings = whole["findings"].get<std::vector<std::string>>();
   diagnosis.next_test = whole["next_test"];
   if (whole.contains("next_test_setup") && !whole["next_test_setup"].is_null())

@@ -61,7 +61,7 @@ TEST(DiagnosisPictures, ShowErrorsByHorizonWhereThoseDecided) {
   const std::string errors = read_bytes(files[0]), ranking = read_bytes(files[1]);
   EXPECT_THAT(errors, HasSubstr("with the answer"));
   EXPECT_THAT(errors, Not(HasSubstr("held out")));
-  EXPECT_THAT(ranking, HasSubstr("mean log error"));
+  EXPECT_THAT(ranking, HasSubstr("cross-validated gain over the three shortest horizons"));
 }
 
 TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {
@@ -75,7 +75,7 @@ TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {
   EXPECT_EQ(files[1].filename(), "residual-force-hinge.svg");
   const std::string hinge = read_bytes(files[1]);
   for (const char* words :
-       {"-0.0105*v*abs(v) N*m", "position [rad]", "velocity [rad/s]", "command [N*m]", "at -0.80 rad", "at 0.80 rad"})
+       {"-0.0105*v*abs(v) N·m", "position [rad]", "velocity [rad/s]", "command [N·m]", "at -0.80 rad", "at 0.80 rad"})
     EXPECT_THAT(hinge, HasSubstr(words));
   const std::string wrist = read_bytes(files[2]);
   EXPECT_THAT(wrist, HasSubstr("position [rad]"));
@@ -93,7 +93,7 @@ TEST(DiagnosisPictures, ShowTheMissingForceWithThatOfTheAnswer) {
   ASSERT_EQ(files.size(), 1U);
   EXPECT_EQ(files[0].filename(), "missing-force-hinge.svg");
   const std::string picture = read_bytes(files[0]);
-  for (const char* words : {"missing force [N*m]", "missing force, 95 % band", "answer", "velocity [rad/s]"})
+  for (const char* words : {"missing torque [N·m]", "missing torque, 95 % band", "answer", "velocity [rad/s]"})
     EXPECT_THAT(picture, HasSubstr(words));
 }
 

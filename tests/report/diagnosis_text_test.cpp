@@ -97,25 +97,36 @@ TEST(DiagnosisText, TellsGainsOfLikelihoodsInNats) {
 TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
   EXPECT_THAT(text, HasSubstr("verdict effect_found · probability 0.97 (uncalibrated)"));
-  EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N*m"));
+  EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N·m"));
   EXPECT_THAT(text, HasSubstr("indistinguishable on these data: stribeck_friction @ joint.hinge"));
   EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]   1.1 × floor"));
-  EXPECT_THAT(text,
-              HasSubstr("43 candidates were tried; noise alone gains as much as the best of them with p = 0.0005"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("43 candidates tried; probability that noise alone gives a gain as large as the best one: p = 0.0005\n"
+                "error of the null model: "));
+  EXPECT_THAT(text, Not(HasSubstr("--among")));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
   EXPECT_THAT(text, HasSubstr("next test, to separate coulomb_friction @ joint.hinge from the nearest other candidate: "
                               "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats per trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 
+TEST(DiagnosisText, NamesTheEffectFilter) {
+  Diagnosis filtered = diagnosis(Verdict::nothing_missing);
+  filtered.effect_filter = {"coulomb_friction", "backlash"};
+  EXPECT_THAT(
+      diagnosis_text(filtered, "rig.toml"),
+      HasSubstr("43 candidates tried (only --among coulomb_friction backlash; leave it out to try all effects)"));
+  EXPECT_EQ(read_diagnosis(diagnosis_json(filtered)).effect_filter, filtered.effect_filter);
+}
+
 TEST(DiagnosisText, SaysWhichValueIsHeldBesideTheOneThatIsTold) {
   Diagnosis of_drag = diagnosis(Verdict::effect_found);
   of_drag.ranking.front().effects = {
       {"quadratic_drag", "body.arm", {{"area", "m^2", 0.02, 0.01, 0.03}}, {{"density", "kg/m^3", 1.2}}}};
-  EXPECT_THAT(
-      diagnosis_text(of_drag, "rig.toml"),
-      HasSubstr("quadratic_drag: area 0.02 [0.01, 0.03] m^2; density held at 1.20 kg/m^3: only its product with "
-                "area is determined"));
+  EXPECT_THAT(diagnosis_text(of_drag, "rig.toml"),
+              HasSubstr("quadratic_drag: area 0.02 [0.01, 0.03] m²; density held at 1.20 kg/m³: only its product with "
+                        "area is determined"));
 }
 
 TEST(DiagnosisText, SaysWhatTheRobotFileHasInsteadOfAWrongValue) {
@@ -124,7 +135,7 @@ TEST(DiagnosisText, SaysWhatTheRobotFileHasInsteadOfAWrongValue) {
       {"wrong_value", "joint.hinge.armature", {{"armature", "kg*m^2", 0.01, 0.0095, 0.0105, 0.02}}}};
   const std::string text = diagnosis_text(of_value, "rig.toml");
   EXPECT_THAT(text, HasSubstr("1  wrong_value @ joint.hinge.armature"));
-  EXPECT_THAT(text, HasSubstr("joint.hinge.armature: 0.01 [0.0095, 0.0105] kg*m^2 instead of 0.0200 kg*m^2"));
+  EXPECT_THAT(text, HasSubstr("joint.hinge.armature: 0.01 [0.0095, 0.0105] kg·m² instead of 0.0200 kg·m²"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml wrong_value --where joint.hinge.armature\n"));
   EXPECT_EQ(read_diagnosis(diagnosis_json(of_value)).ranking.front().effects, of_value.ranking.front().effects);
 }
@@ -134,7 +145,7 @@ TEST(DiagnosisText, SaysThatAValueIsAtABound) {
   FoundParameter& torque = at_bound.ranking.front().effects.front().parameters.front();
   torque.lower_95 = torque.upper_95 = std::nan("");
   torque.at_bound = true;
-  EXPECT_THAT(diagnosis_text(at_bound, "rig.toml"), HasSubstr("torque 0.131 N*m (at a bound of its range)"));
+  EXPECT_THAT(diagnosis_text(at_bound, "rig.toml"), HasSubstr("torque 0.131 N·m (at a bound of its range)"));
   EXPECT_TRUE(read_diagnosis(diagnosis_json(at_bound)).ranking.front().effects.front().parameters.front().at_bound);
 }
 
@@ -177,16 +188,16 @@ TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
 
 TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
   const std::string text = diagnosis_text(diagnosis(Verdict::not_in_library), "rig.toml");
-  EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   −75 % [−80 %, −69 %] cross-validated"));
-  EXPECT_LT(text.find("force on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
+  EXPECT_THAT(text, HasSubstr("torque on joint.hinge: -0.0105*v*abs(v) N·m   −75 % [−80 %, −69 %] cross-validated"));
+  EXPECT_LT(text.find("torque on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
       << "the answer stands first";
   EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula '-0.0105*v*abs(v)'\n"));
 }
 
 TEST(DiagnosisText, TellsWhatAnAnswerLeavesBehindIt) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
-  EXPECT_THAT(text, HasSubstr("residual force:\nforce on joint.hinge: -0.0105*v*abs(v) N*m"));
-  EXPECT_LT(text.find("coulomb_friction @ joint.hinge"), text.find("force on joint.hinge"));
+  EXPECT_THAT(text, HasSubstr("residual torque:\ntorque on joint.hinge: -0.0105*v*abs(v) N·m"));
+  EXPECT_LT(text.find("coulomb_friction @ joint.hinge"), text.find("torque on joint.hinge"));
   EXPECT_THAT(text, Not(HasSubstr("lacuna plugins new effect")));
 }
 

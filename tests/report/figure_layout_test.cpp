@@ -107,7 +107,7 @@ TEST(FigureLayout, HoldsSetsOfThreeEffectsWhole) {
         written_in(svg),
         HasSubstr(std::string("coulomb_friction@joint.") + side + "_hip_flexion_extension+cogging_torque@joint." +
                   side + "_hip_flexion_extension+joint_compliance@joint." + side + "_knee_flexion_extension"));
-  EXPECT_THAT(written_in(svg), HasSubstr("decreaseofthemeanlogerror"));
+  EXPECT_THAT(written_in(svg), HasSubstr("cross-validatedgainoverthethreeshortesthorizons"));
 }
 
 TEST(FigureLayout, GivesALongNameLinesThatDoNotRunIntoTheNext) {

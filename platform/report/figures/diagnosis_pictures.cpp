@@ -1,6 +1,7 @@
 #include "report/figures/diagnosis_pictures.h"
 
 #include "foundation/statistics.h"
+#include "foundation/text/unit_text.h"
 #include "report/figures/figure.h"
 #include "report/figures/file_name.h"
 #include "report/text/diagnosis_text.h"
@@ -33,8 +34,11 @@ void add_curve(const ForceCurve& curve, const std::string& label, const char* co
 
 Panel empty_panel(const ForceCurve& curve) {
   const char* which = curve.by_answer.empty() ? "unexplained" : "missing";
-  Panel panel{fmt::format("{} force [{}]", which, curve.force_unit), {{"", Mark::level, kInk, {}, {0.0}, {}}}, 1.0, {}};
-  panel.x_label = curve.of + " [" + curve.unit + "]";
+  Panel panel{fmt::format("{} {} [{}]", which, force_word(curve.force_unit), unit_text(curve.force_unit)),
+              {{"", Mark::level, kInk, {}, {0.0}, {}}},
+              1.0,
+              {}};
+  panel.x_label = curve.of + " [" + unit_text(curve.unit) + "]";
   return panel;
 }
 
@@ -48,7 +52,9 @@ std::vector<Panel> force_panels(const std::vector<ForceCurve>& curves, const std
     if (curve.joint != joint) continue;
     if (!curve.position) {
       panels.push_back(empty_panel(curve));
-      add_curve(curve, curve.by_answer.empty() ? "" : "missing force, 95 % band", kOrange, panels.back());
+      add_curve(curve,
+                curve.by_answer.empty() ? "" : fmt::format("missing {}, 95 % band", force_word(curve.force_unit)),
+                kOrange, panels.back());
       if (!curve.by_answer.empty())
         panels.back().series.push_back({"answer", Mark::line, kBlue, curve.at, curve.by_answer, {}});
       continue;
@@ -72,16 +78,25 @@ Figure force_figure(const std::vector<ForceCurve>& curves, const std::string& jo
   return figure;
 }
 
+/// "torque" or "force", of the joint's curves.
+const char* word_on(const std::vector<ForceCurve>& curves, const std::string& joint) {
+  const auto found =
+      std::find_if(curves.begin(), curves.end(), [&](const ForceCurve& one) { return one.joint == joint; });
+  return found == curves.end() ? "force" : force_word(found->force_unit);
+}
+
 /// What the model lacks, and what the answer makes of it.
 Figure missing_figure(const Diagnosis& diagnosis, const std::string& joint, const std::string& title) {
-  return force_figure(diagnosis.missing_force, joint, fmt::format("{} · missing force on joint.{}", title, joint));
+  return force_figure(
+      diagnosis.missing_force, joint,
+      fmt::format("{} · missing {} on joint.{}", title, word_on(diagnosis.missing_force, joint), joint));
 }
 
 /// The force that no effect explains, with its formula if there is one.
 Figure residual_figure(const Diagnosis& diagnosis, const std::string& joint, const std::string& title) {
-  std::string whole = fmt::format("{} · force on joint.{}", title, joint);
+  std::string whole = fmt::format("{} · {} on joint.{}", title, word_on(diagnosis.residual_force, joint), joint);
   for (const ForceFormula& formula : diagnosis.formulas)
-    if (formula.joint == joint) whole += fmt::format(": {} {}", formula.text(), formula.unit);
+    if (formula.joint == joint) whole += fmt::format(": {} {}", formula.text(), unit_text(formula.unit));
   return force_figure(diagnosis.residual_force, joint, whole);
 }
 
@@ -135,12 +150,19 @@ Series intervals_of(const std::vector<RankedRow>& rows) {
   return interval;
 }
 
+/// Horizons over which gains are means.
+const char* deciding_horizons(const Diagnosis& diagnosis) {
+  const auto all = diagnosis.evidence.find("all_lengths");
+  return all != diagnosis.evidence.end() && all->second > 0.0 ? "all horizons" : "the three shortest horizons";
+}
+
 Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
   const std::vector<RankedRow> rows = ranked_rows(diagnosis);
   Panel panel{"", {bars_of(rows, true), bars_of(rows, false), intervals_of(rows)}, 1.0, {}};
   if (panel.series.front().x.empty()) panel.series[1].label = "held-out gain";  // no answer
   for (const RankedRow& row : rows) panel.y_names.push_back(row.name);
-  std::string label = "gain: decrease of the mean log error in cross-validation [nats; 0.69 is half the error]";
+  std::string label =
+      fmt::format("cross-validated gain over {} [nats; 0.69 is half the error]", deciding_horizons(diagnosis));
   if (diagnosis.method == DiagnosisMethod::likelihood) label = "gain: increase of the held-out log likelihood [nats]";
   Figure figure{fmt::format("{} · {}", title, verdict_text(diagnosis)), label, {panel}};
   figure.height = 200 + 44 * static_cast<int>(rows.size());
@@ -155,7 +177,7 @@ Figure horizons_figure(const Diagnosis& diagnosis, const std::string& title) {
     if (panel.series.empty()) {
       panel.y_label = fmt::format("{} [{}]", error.channel, error.unit);
       panel.log_y = true;
-      panel.series = {{"the model alone", Mark::line_points, kOrange, {}, {}, {}},
+      panel.series = {{"null model", Mark::line_points, kOrange, {}, {}, {}},
                       {"with the answer", Mark::line_points, kBlue, {}, {}, {}},
                       {"with the answer, held out", Mark::line_points, kGreen, {}, {}, {}},
                       {"floor", Mark::line, kGrey, {}, {}, {}}};

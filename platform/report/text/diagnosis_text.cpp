@@ -4,6 +4,7 @@
 #include "foundation/text/counted.h"
 #include "foundation/text/figure_text.h"
 #include "foundation/text/shell_word.h"
+#include "foundation/text/unit_text.h"
 #include "foundation/unit.h"
 #include "report/text/interval_text.h"
 #include "report/text/text_table.h"
@@ -22,7 +23,7 @@ constexpr std::ptrdiff_t kMostNamedPlaces = 3;  ///< of one effect in a row
 constexpr std::size_t kMostShown = 5;
 
 std::string parameter_text(const FoundParameter& one) {
-  const std::string unit = one.unit == "1" ? "" : " " + one.unit;
+  const std::string unit = unit_after_number(one.unit);
   if (one.at_bound) return fmt::format("{} {:.3g}{} (at a bound of its range)", one.name, one.value, unit);
   if (!std::isfinite(one.lower_95)) return fmt::format("{} {:.3g} (undetermined){}", one.name, one.value, unit);
   const int digits = interval_digits(one.value, one.upper_95 - one.lower_95);
@@ -147,7 +148,8 @@ std::string ranking_text(const Diagnosis& diagnosis) {
 std::string formula_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const ForceFormula& formula : diagnosis.formulas)
-    text += fmt::format("force on joint.{}: {} {}   {}\n", formula.joint, formula.text(), formula.unit,
+    text += fmt::format("{} on joint.{}: {} {}   {}\n", force_word(formula.unit), formula.joint, formula.text(),
+                        unit_text(formula.unit),
                         is_by_likelihood(diagnosis) ? gain_text(formula.gain) + " nats held out"
                                                     : smaller_text(formula.gain) + " cross-validated error");
   return text;
@@ -157,7 +159,8 @@ std::string formula_text(const Diagnosis& diagnosis) {
 std::string answers_text(const Diagnosis& diagnosis) {
   if (diagnosis.formulas.empty() || diagnosis.ranking.empty()) return formula_text(diagnosis) + ranking_text(diagnosis);
   if (diagnosis.verdict == Verdict::effect_found)
-    return ranking_text(diagnosis) + "residual force:\n" + formula_text(diagnosis);
+    return ranking_text(diagnosis) + fmt::format("residual {}:\n", force_word(diagnosis.formulas.front().unit)) +
+           formula_text(diagnosis);
   return formula_text(diagnosis) + "best candidates of the library:\n" + ranking_text(diagnosis);
 }
 
@@ -173,13 +176,15 @@ std::string untestable_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// Number of candidates, and the probability that noise alone gains as much.
+/// Number of candidates, the effect filter, and the probability that noise alone gains as much.
 std::string chance_text(const Diagnosis& diagnosis) {
-  std::string text = fmt::format("{} {} tried", counted(diagnosis.hypotheses, "candidate"),
-                                 diagnosis.hypotheses == 1 ? "was" : "were");
+  std::string text = counted(diagnosis.hypotheses, "candidate") + " tried";
+  if (!diagnosis.effect_filter.empty())
+    text += fmt::format(" (only --among {}; leave it out to try all effects)", fmt::join(diagnosis.effect_filter, " "));
   if (diagnosis.p_by_chance)
-    text += fmt::format("; noise alone gains as much as the best of them with p = {:.2g}", *diagnosis.p_by_chance);
-  return text + fmt::format("; error of the model alone {:.3g} × floor\n", diagnosis.base_times_floor);
+    text += fmt::format("; probability that noise alone gives a gain as large as the best one: p = {:.2g}",
+                        *diagnosis.p_by_chance);
+  return text + fmt::format("\nerror of the null model: {:.3g} × floor\n", diagnosis.base_times_floor);
 }
 
 /// With setups, the commands alone do not define the test, so the line to type names the setup too.
@@ -217,6 +222,8 @@ std::string add_text(const Diagnosis& diagnosis, const std::string& file, const 
 }
 
 }  // namespace
+
+const char* force_word(const std::string& unit) { return unit.starts_with("N*m") ? "torque" : "force"; }
 
 std::string verdict_text(const Diagnosis& diagnosis) {
   if (diagnosis.stopped) return fmt::format("{} · preliminary", to_string(diagnosis.verdict));
