@@ -288,12 +288,12 @@ class Fitter {
     take(is_further ? further : best, last);
     count_in(further);
     result_.notes.push_back(fmt::format(
-        "the stages disagree: over {}, which the fit minimises, {} fit better than the values from shorter segments; "
-        "the fit {}",
+        "the fit may be at a local minimum: over {}, {} have a smaller error than the result of the last stage. {}. To "
+        "check the result, raise fit.starts",
         last.length > 0.0 ? last.name : "whole trials", best.name,
-        is_further
-            ? fmt::format("continued from them and reached {:.3g} × the sensor noise", candidates_.front().residual)
-            : "found no better values from there and keeps them"));
+        is_further ? fmt::format("The fit continued from these values and reached {:.3g} × the sensor noise",
+                                 candidates_.front().residual)
+                   : "The fit keeps these values, because a search from them found no better ones"));
   }
 
   void take(JudgedValues& winner, const PlannedStage& last) {
@@ -321,10 +321,9 @@ class Fitter {
     result_.samples = problem_->samples();
     if (known.few_blocks)
       result_.notes.push_back(
-          fmt::format("the 95 % intervals are approximate: residuals are correlated over {:.2g} s, and the trials are "
-                      "too short for {} nearly independent blocks of six times that length, so shorter blocks are "
-                      "used; longer trials give better intervals",
-                      known.correlation_time, known.blocks));
+          fmt::format("the 95 % intervals are approximate, because the trials are short. Residuals are correlated over "
+                      "{:.2g} s; reliable intervals need about {:.2g} s of data",
+                      known.correlation_time, known.enough_data));
     if (!best.search.converged)
       result_.notes.push_back(
           fmt::format("the last stage stopped after {} iterations without convergence; raise fit.max_iterations",

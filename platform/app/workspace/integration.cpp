@@ -14,26 +14,32 @@ namespace {
 
 constexpr int kFarMore = 4;  ///< times as many as are needed: worth a word
 
-std::string steps_of(int count, double step) {
-  const std::string each = format_quantity(step, "s");
-  return count == 1 ? "one step in each of " + each : fmt::format("{} steps in each of {}", count, each);
+/// "articulated, step 2.50 ms": of one integration step.
+std::string steps_of(const EngineSettings& engine, int substeps) {
+  return fmt::format("{}, step {}", engine.engine, format_quantity(engine.step / substeps, "s"));
 }
 
-std::string shift_of(const Substeps& found) {
-  if (found.shift.address.empty()) return "";
-  return fmt::format("; largest effect on a fitted value: {} by {:.2g} of half its 95 % interval", found.shift.address,
-                     found.shift.share);
+std::string percent(double share) {
+  return share < 0.1 ? fmt::format("{:.2g} %", 100.0 * share) : fmt::format("{:.0f} %", 100.0 * share);
 }
 
 std::string error_of(const Substeps& found) {
-  if (!std::isfinite(found.share)) return "the model cannot be simulated at its start values";
-  return fmt::format("error of a free run {:.2g} × the uncertainty from noise and initial state", found.share) +
-         shift_of(found);
+  std::string text = percent(found.share) + " of the uncertainty of a free run from noise and initial state";
+  if (!found.shift.address.empty())
+    text += fmt::format("; largest shift of a fitted value: {} by {} of half its 95 % interval", found.shift.address,
+                        percent(found.shift.share));
+  return text;
 }
 
 std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
-  return fmt::format("integration: {}, {}: {}{}", engine.engine, steps_of(found.count, engine.step), error_of(found),
-                     found.enough ? "" : "; more steps bring little");
+  const std::string steps = steps_of(engine, found.count);
+  if (!std::isfinite(found.share))
+    return fmt::format("integration ({}): the model cannot be simulated at its start values", steps);
+  if (found.enough) return fmt::format("integration error ({}) is negligible: {}", steps, error_of(found));
+  return fmt::format(
+      "integration error ({}) is not negligible: {}. Set a shorter engine.step, or fit over shorter segments "
+      "(fit.horizon)",
+      steps, error_of(found));
 }
 
 }  // namespace
@@ -58,11 +64,11 @@ std::string settle_substeps(OpenExperiment& opened, const std::vector<Trial>& tr
     opened.model = compile(opened.definition.structure, engine);
     return sentence_of(engine, found);
   }
-  if (!found.enough || engine.substeps < kFarMore * found.count) return {};
+  if (!found.enough || !std::isfinite(found.share) || engine.substeps < kFarMore * found.count) return {};
   return fmt::format(
-      "integration: {}, {}, as written in the file; {} suffice: {}. Without engine.substeps the program chooses the "
-      "number",
-      engine.engine, steps_of(engine.substeps, engine.step), found.count, error_of(found));
+      "engine.substeps = {} is more than needed: with {} the integration error is negligible ({}). Without "
+      "engine.substeps the program chooses the number",
+      engine.substeps, found.count, error_of(found));
 }
 
 }  // namespace lacuna

@@ -24,9 +24,11 @@ constexpr double kTakesPart = 0.1;  ///< of a direction's largest component
 /// for a fair estimate, because the correlation time misses a slow disturbance below the sensor's noise.
 TimeBlocks choose_blocks(const ShootingProblem& problem, Eigen::Index values, Uncertainty& result) {
   const double duration = scored_duration(problem);
-  const double longest = duration / std::max(kLeastBlocks, 3 * static_cast<int>(values));
+  const int fewest = std::max(kLeastBlocks, 3 * static_cast<int>(values));
+  const double longest = duration / fewest;
   const double wanted = kBlockCorrelations * result.correlation_time;
   result.few_blocks = wanted > longest;
+  result.enough_data = fewest * wanted;
   TimeBlocks blocks(problem, std::min(std::max(wanted, duration / kMostBlocks), longest));
   result.blocks = blocks.count();
   return blocks;

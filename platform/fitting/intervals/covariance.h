@@ -16,7 +16,8 @@ struct Uncertainty {
   double quantile = 0.0;          ///< of Student's t: half an interval is quantile × standard error
   double correlation_time = 0.0;  ///< of the residual, s
   int blocks = 0;
-  bool few_blocks = false;  ///< the record is too short for blocks much longer than the correlation time
+  bool few_blocks = false;   ///< the record is too short for blocks much longer than the correlation time
+  double enough_data = 0.0;  ///< s, duration of a record that is not
   std::vector<Eigen::VectorXd> undetermined;  ///< directions of relative change that do not change the prediction
   Eigen::VectorXd sizes;  ///< the change that a relative change of 1 means for each value, in coordinates
 };
