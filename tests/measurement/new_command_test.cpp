@@ -167,10 +167,10 @@ TEST_F(NewCommand, MatchesColumnsWithARobotThatIsThere) {
   folder_.write("mine.toml", kPivot);
   const Outcome outcome = run_new_of(file, "mine.toml");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("  joint  of the robot    unit   column     unit  matched by\n"
-                                     "  pivot  sensor.encoder  rad    theta_deg  deg   the only column that fits\n"
-                                     "  pivot  sensor.tacho    rad/s  -                no column matches\n"
-                                     "  pivot  actuator.drive  N*m    i_A        A     the only column that fits\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("  joint  robot channel   unit   file column  unit  matched by\n"
+                                     "  pivot  sensor.encoder  rad    theta_deg    deg   the only column that fits\n"
+                                     "  pivot  sensor.tacho    rad/s  -                  no column matches\n"
+                                     "  pivot  actuator.drive  N*m    i_A          A     the only column that fits\n"));
   const std::string text = text_of(rig());
   for (const char* line : {"file = \"mine.toml\"", "encoder = { column = \"theta_deg\", unit = \"deg\" }",
                            "drive = { column = \"i_A\", unit = \"A\", gain = \"FILL IN N*m/A\" }",

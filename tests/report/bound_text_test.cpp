@@ -23,9 +23,9 @@ TEST(BoundText, SaysWhichBoundAndWhatItMeans) {
                 value_of("body.carriage.mass", "kg", 500.0, false, true),
                 value_of("effect.pull.force", "N", -20.0, true, false)};
   EXPECT_EQ(bound_text(fit),
-            "effect.coulomb_friction.torque: the fit stopped at the lower bound, 0.00 N*m: this effect does not "
+            "effect.coulomb_friction.torque: the fit stopped at the lower bound, 0.00 N·m: this effect does not "
             "improve the model\n"
-            "joint.hinge.damping: the fit stopped at the lower bound, 0.00 N*m*s/rad: another value does not improve "
+            "joint.hinge.damping: the fit stopped at the lower bound, 0.00 N·m·s/rad: another value does not improve "
             "the model\n"
             "body.carriage.mass: the fit stopped at the upper bound, 500 kg: a larger value would fit better: the "
             "bound is too tight, or the value has absorbed a missing effect\n"

@@ -64,8 +64,8 @@ TEST(ComparisonText, ShowsTheFloorOfAFileWhereItIsAnotherOne) {
 
 TEST(ComparisonText, NamesTheShareOfTheStartWhereItMatters) {
   EXPECT_THAT(comparison_text({}, one_trial(4e-4), {}),
-              HasSubstr("noise floor 1.00 mrad · initial state 400 µrad · numerical error"));
-  EXPECT_THAT(comparison_text({}, one_trial(9e-5), {}), Not(HasSubstr("start 90")));
+              HasSubstr("noise floor 1.00 mrad · effect of the initial-state uncertainty 400 µrad · numerical error"));
+  EXPECT_THAT(comparison_text({}, one_trial(9e-5), {}), Not(HasSubstr("effect of the initial-state uncertainty")));
 }
 
 TEST(ComparisonText, NamesTheSetupsOfTheRecordings) {

@@ -27,8 +27,8 @@ HistoryRow row(int number, const std::string& change, double fit, double held_ou
 TEST(HistoryText, SaysWhichErrorsAreOfTheFitFilesAlone) {
   const std::string text =
       history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0), row(2, "friction", 1e-3, 1e-3, 1.0)}, 1);
-  EXPECT_THAT(text, HasSubstr("-      8.0  ████████████████████████ fit files\n"));
-  EXPECT_THAT(text, HasSubstr("1.00 mrad      1.0  ███\n"));
+  EXPECT_THAT(text, HasSubstr("-               8.0  ████████████████████████ fit files\n"));
+  EXPECT_THAT(text, HasSubstr("1.00 mrad               1.0  ███\n"));
   EXPECT_THAT(text, HasSubstr("held-out looks 1\n"));
 }
 

@@ -37,8 +37,8 @@ TEST(RunText, FiguresStandUnderTheirNamesWhicheverPassesHaveThem) {
   EXPECT_THAT(first_five(0),
               testing::ElementsAre("pass", "error", "body.*.mass off by", "effects off by", "effect.*.torque off by"));
   EXPECT_THAT(first_five(1), testing::ElementsAre("1", "0.5", "1.00 kg", "2", "-"));
-  EXPECT_THAT(first_five(2), testing::ElementsAre("2", "0.25", "3.00 kg", "0", "4.00 N*m"));
-  EXPECT_THAT(first_five(3), testing::ElementsAre("3", "0.125", "-", "-", "5.00 N*m"));
+  EXPECT_THAT(first_five(2), testing::ElementsAre("2", "0.25", "3.00 kg", "0", "4.00 N·m"));
+  EXPECT_THAT(first_five(3), testing::ElementsAre("3", "0.125", "-", "-", "5.00 N·m"));
 }
 
 /// The value that was foretold of a test is not that of the one which took its place.

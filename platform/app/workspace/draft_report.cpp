@@ -75,7 +75,7 @@ std::string place_of(const RobotSpec& robot, const std::string& channel, bool is
 
 /// A row for each sensor and each actuator of a robot that is known.
 void print_matches(const RigGuess& guess, const RobotSpec& robot) {
-  std::vector<std::vector<std::string>> rows{{"  joint", "of the robot", "unit", "column", "unit", "matched by"}};
+  std::vector<std::vector<std::string>> rows{{"  joint", "robot channel", "unit", "file column", "unit", "matched by"}};
   const auto add = [&](bool is_actuator, const Channel& channel, std::vector<std::string> column) {
     std::vector<std::string>& row = rows.emplace_back(
         std::vector<std::string>{"  " + place_of(robot, channel.name, is_actuator),

@@ -33,8 +33,9 @@ std::string joint_text(const GuessedJoint& joint, const std::string& body_before
     text += with_comment("parent = " + toml_text(std::string(kBlank) + " world or " + body_before),
                          "the body that carries this joint");
   text += "child = " + toml_text(joint.body()) + "\n";
-  text += joint.slides ? with_comment("axis = \"x\"", "guessed: horizontal, so that gravity has no effect")
-                       : with_comment("axis = \"y\"", "guessed: horizontal; at zero the arm points to com");
+  text += joint.slides
+              ? with_comment("axis = \"x\"", "guessed: horizontal, so that gravity has no effect")
+              : with_comment("axis = \"y\"", "guessed: horizontal; at angle 0 the arm points from the axis to com");
   return text;
 }
 
@@ -77,7 +78,7 @@ std::string sensor_text(const GuessedJoint& joint) {
 std::string robot_text(const RigDraft& draft) {
   const std::string name = rig_name(draft.experiment);
   std::string text = fmt::format(
-      "# The robot of {}: one body a joint. Put values where it says {}; SI units, z up.\n"
+      "# The robot of {}: one body per joint. Put values where it says {}; SI units, z up.\n"
       "# Values that are not written here (friction, springs, rotor inertia) are zero.\n\n[robot]\nname = {}\n",
       plain_text(draft.experiment.filename().string()), kBlank, toml_text(name));
   const std::vector<GuessedJoint>& joints = draft.guess.joints;

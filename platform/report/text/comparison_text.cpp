@@ -2,6 +2,7 @@
 
 #include "data_checks/data_checks.h"
 #include "foundation/text/counted.h"
+#include "foundation/text/unit_text.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
 #include "report/text/horizon_text.h"
@@ -78,7 +79,7 @@ std::string floor_line(const Comparison& comparison, const PooledScore& pooled) 
   for (const PooledScore& other : comparison.pooled)
     if (other.channel == pooled.channel && other.numerical) numerical = std::max(numerical, *other.numerical);
   if (pooled.from_start > kStartWorthASay * pooled.floor)
-    line += " · initial state " + quantity(pooled.from_start, pooled.unit);
+    line += " · effect of the initial-state uncertainty " + quantity(pooled.from_start, pooled.unit);
   return line + " · numerical error " + quantity(numerical, pooled.unit) + "\n";
 }
 
@@ -130,7 +131,7 @@ std::string fit_text(const FitResult& fit) {
   std::vector<std::vector<std::string>> rows;
   for (const FittedValue& value : fit.values) {
     const IntervalText text = interval_text(value);
-    rows.push_back({value.address, text.value, value.unit == "1" ? "" : value.unit, text.interval,
+    rows.push_back({value.address, text.value, value.unit == "1" ? "" : unit_text(value.unit), text.interval,
                     "from " + quantity(value.start, "1")});
   }
   std::string text = text_table(rows, 1) + bound_text(fit);

@@ -42,7 +42,8 @@ std::string channel_table(const std::vector<HistoryRow>& rows, const std::string
     if (std::isfinite(row.floor)) with_floor = &row;
     held_out_known = held_out_known || std::isfinite(row.held_out_rmse);
   }
-  std::vector<std::vector<std::string>> table = {{"rev", channel, "fit", "held out", "× floor", ""}};
+  std::vector<std::vector<std::string>> table = {
+      {"rev", channel, "fit", "held out", held_out_known ? "held out × floor" : "× floor", ""}};
   std::vector<std::string> bars = {""};
   for (const HistoryRow& row : rows) {
     table.push_back({fmt::format("{}{}", row.number, row.current ? "*" : ""), row.change,
