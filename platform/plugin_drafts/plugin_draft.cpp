@@ -27,10 +27,11 @@ std::string file_word(std::string noun) {
 
 const std::vector<DraftKind>& draft_kinds() {
   static const std::vector<DraftKind> all = {
-      {"metric", "the root mean square of predicted - measured", "`[estimation] metric = \"@NAME@\"`"},
+      {"metric", "RMS of predicted - measured", "`[estimation] metric = \"@NAME@\"`"},
       {"model encoding", "one gene per free parameter, its share of the search range",
        "`[model] encoding = \"@NAME@\"`"},
-      {"mutation", "moves one gene, reflected at its bounds", "`[[estimation.mutation]] operator = \"@NAME@\"`"},
+      {"mutation", "changes one gene at random and keeps it within its bounds",
+       "`[[estimation.mutation]] operator = \"@NAME@\"`"},
       {"objective metric", "the largest error of a value, as a share of its search range",
        "`[estimation] objective = \"@NAME@\"`"},
       {"recording format", "columns of numbers with spaces between them",

@@ -162,13 +162,14 @@ void add_curves_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->option_text("NAME");
   command
-      ->add_option("--error", options->error,
-                   "Error to draw: a value of the objective metric, such as \"body.*.mass\", or score (default: the "
-                   "first that all runs have)")
+      ->add_option(
+          "--error", options->error,
+          "Error to draw: \"score\", or the error of a parameter against its true value, such as \"body.*.mass\" "
+          "(default: the first that is present in all runs)")
       ->option_text("NAME");
   command
       ->add_option("--against", options->against,
-                   "Also print how many trials each experiment needs to reach the final error of this one")
+                   "Also print how many trials each experiment needs to reach the final error of experiment NAME")
       ->option_text("NAME");
   command->add_option("--out", options->folder, "Folder for the pictures (default: the current folder)")
       ->option_text("FOLDER");

@@ -17,9 +17,8 @@ void add_diagnose_command(CLI::App& program) {
   add_work_options(*command, *options);
   add_time_limit_option(*command);
   command
-      ->add_option(
-          "--among", options->among,
-          "Effect filter: try only these effects; wrong_value stands for fixed values of the robot file (default: all)")
+      ->add_option("--among", options->among,
+                   "Try only these effects (default: all); wrong_value: fit values that are fixed in the robot file")
       ->option_text("EFFECT ...");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {

@@ -122,7 +122,7 @@ void add_row_options(CLI::App& command, ExportOptions& options) {
 void add_export_command(CLI::App& program) {
   auto options = std::make_shared<ExportOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand(
-      "export", "Write the identified robot as TOML, URDF or MJCF, or rows of a database for other programs");
+      "export", "Export the identified robot (TOML, URDF, MJCF), or rows of a database for other programs");
   command->add_option("source", options->experiment, "Experiment file (TOML) or database")
       ->required()
       ->option_text("FILE");

@@ -210,7 +210,7 @@ void add_new_command(CLI::App& program) {
       ->option_text("FILE");
   command
       ->add_option("--from", options->files,
-                   "Recordings, files or folders of ROS 2 (required); the last of several is held out")
+                   "Recordings: data files or ROS 2 bag folders (required); with two or more, the last one is held out")
       ->required()
       ->option_text("FILE ...");
   command

@@ -321,15 +321,16 @@ void add_predict_command(CLI::App& program) {
       "predict", "Predict the outcome of a test with the models of a run, or with the fitted model");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_test_options(
-      *command, options->asked,
-      "Test: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, or the number of a test of "
-      "the run; with the fitted model also the name of a fit trial (default: all fit trials)");
+  add_test_options(*command, options->asked,
+                   "Test to predict: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, or "
+                   "the number of a "
+                   "test of the run. With --fitted: also the name of a fit trial (default: all fit trials)");
   command->get_option("--test")->required(false);
   command->add_flag("--fitted", options->fitted, "Use the fitted model even if there are runs");
   command->add_option("--run", options->run, "Run (default: the experiment's newest)")->option_text("N");
-  add_result_option(*command, "csv", options->csv,
-                    "Mean and band, or the fitted model's prediction, as CSV, to standard output or FILE");
+  add_result_option(
+      *command, "csv", options->csv,
+      "Prediction as CSV (mean and 95 % band of the run's models, or the fitted model), to standard output or FILE");
   command->add_option("--out", options->picture, "Picture of the prediction (SVG)")->option_text("FILE");
   command->callback([options] { predict(*options); });
 }

@@ -69,7 +69,7 @@ void add_report_command(CLI::App& program) {
       ->option_text("FILE");
   command
       ->add_option("--most-megabytes", options->megabytes,
-                   "Largest page; of a larger database it shows a selection (default: 50)")
+                   "Maximum size of the HTML file (default: 50); a larger database is reduced to a selection")
       ->option_text("MB")
       ->check(CLI::Range(1.0, 2000.0));
   command->add_flag("--no-robots", options->no_robots, "Do not simulate robots for the page Replay");

@@ -24,11 +24,12 @@ void add_run_command(CLI::App& program) {
       ->check(whole_number(1, 1000000));
   CLI::Option* isolate = command->add_flag_callback(
       "--isolate", [options] { options->isolate = true; },
-      "Simulate models in worker processes, so that a crash of a plugin costs one model and not the run (default if a "
-      "plugin did not come with the program)");
+      "Simulate models in worker processes: a plugin crash then loses one model, not the run (default if third-party "
+      "plugins are used)");
   command
       ->add_flag_callback(
-          "--no-isolate", [options] { options->isolate = false; }, "Simulate models in this process, with any plugins")
+          "--no-isolate", [options] { options->isolate = false; },
+          "Simulate models in this process, even with third-party plugins")
       ->excludes(isolate);
   CLI::Option* resume = command->add_flag("--resume", options->resume,
                                           "Continue this experiment's unfinished runs; if it has no run, begin one");

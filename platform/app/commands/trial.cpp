@@ -226,7 +226,7 @@ void run_trial(const TrialOptions& options) {
 void add_trial_command(CLI::App& program) {
   auto options = std::make_shared<TrialOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand(
-      "trial", "Carry out a test on a simulated target or a program, or write its commands for a rig");
+      "trial", "Carry out a test on a simulated or external target, or write the commands of the test for a rig");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_test_options(*command, options->asked,

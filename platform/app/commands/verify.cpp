@@ -83,7 +83,8 @@ void add_verify_command(CLI::App& program) {
   auto options = std::make_shared<VerifyOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("verify", "Check a database against its stored hashes");
   add_database_argument(*command, options->database);
-  command->add_flag("--quiet", options->quiet, "Print only faults of the file as a whole");
+  command->add_flag("--quiet", options->quiet,
+                    "Print only one line, and only if the file differs from what was stored");
   command->callback([options] { verify_database(*options); });
 }
 

@@ -85,8 +85,8 @@ void check_plugin_file(CheckPluginOptions options) {
 void add_check_plugin_command(CLI::App& plugins) {
   auto options =
       std::make_shared<CheckPluginOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* check = plugins.add_subcommand("check", "Check a plugin library by calls in separate processes");
-  check->add_option("file", options->file, "The plugin library")->required()->option_text("FILE.so");
+  CLI::App* check = plugins.add_subcommand("check", "Test a plugin file: call its functions in separate processes");
+  check->add_option("file", options->file, "The plugin file")->required()->option_text("FILE.so");
   check->add_option("--sample", options->sample, "Valid file of the format that the plugin reads")->option_text("FILE");
   check->add_flag("--carry-out", options->carry_out, "Let targets carry out a test (a real rig moves)");
   add_result_option(*check, "json", options->json, "Results as JSON, to standard output or FILE");

@@ -66,7 +66,10 @@ Test test_of_line(const AskedTest& asked, TestSpace space, const PluginCatalog& 
 void add_test_options(CLI::App& command, AskedTest& asked, const std::string& description) {
   command.add_option("--test", asked.test, description)->required()->option_text("TEST");
   command.add_option("--duration", asked.duration, "Duration (default: the test's)")->option_text("TIME");
-  command.add_option("--setup", asked.setup, "Setup of the recordings, or none (default: the first recording's)")
+  command
+      .add_option(
+          "--setup", asked.setup,
+          "Setup, such as a load: its name in the recordings, or \"none\" (default: that of the first recording)")
       ->option_text("NAME");
 }
 
