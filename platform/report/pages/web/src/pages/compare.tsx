@@ -249,7 +249,7 @@ function Trial({ scores, trial, place, where, findings, regimes, chosen, choose:
                   aria-pressed={one === chosen}
                   onClick={() => point(one === chosen ? null : i)}
                 >
-                  <FindingText finding={one} />
+                  {one.sentence}
                 </button>
               </li>
             ))}
@@ -264,7 +264,7 @@ function Trial({ scores, trial, place, where, findings, regimes, chosen, choose:
           )}
           {findings.length > 0 && (
             <p class="note">
-              A click shows the trial, channel and time that a finding is about and lights up its samples.
+              Click a finding to go to its trial, channel and time; its samples are highlighted.
             </p>
           )}
         </aside>
@@ -290,18 +290,9 @@ function Simulate({ experiment }: { experiment: string }) {
     [experiment],
   ).value?.[0]?.file;
   return (
-    <p class="note">
-      Simulate the fitted model on another test:{' '}
-      <code>{`lacuna predict ${shellWord((file ?? 'FILE').replace(/^.*\//, ''))} --fitted --test TEST --csv=prediction.csv`}</code>
-    </p>
-  );
-}
-
-function FindingText({ finding }: { finding: Finding }) {
-  if (/^\d/.test(finding.sentence)) return <>{finding.sentence}</>;
-  return (
-    <>
-      <span class="share">{Math.round(100 * finding.share)} %</span> {finding.sentence}
-    </>
+    <div class="note">
+      Simulate the fitted model on another test:
+      <code class="block">{`lacuna predict ${shellWord((file ?? 'FILE').replace(/^.*\//, ''))} --fitted --test TEST --csv=prediction.csv`}</code>
+    </div>
   );
 }

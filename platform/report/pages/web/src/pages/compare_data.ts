@@ -157,6 +157,8 @@ export async function loadWhere(source: Source, experiment: string, revision: nu
   return rows.length === 0 ? { findings: [], where: null } : (JSON.parse(rows[0].document) as Where);
 }
 
+const percent = (share: number) => `${Math.round(100 * share)} %`;
+
 /** What can be pointed at: findings, then the regimes of error that are no finding of their own. */
 export function pointed({ findings, where }: Where): Finding[] {
   const regimes = (where?.views ?? []).flatMap((view) =>
@@ -174,7 +176,7 @@ export function pointed({ findings, where }: Where): Finding[] {
         view: view.view,
         share: one.share_of_error,
         stretches: one.stretches,
-        sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples, ${times(one.times_floor)} the floor: ${one.sentence}`,
+        sentence: `${percent(one.share_of_error)} of the squared ${view.view === 'acceleration' ? 'unexplained acceleration' : 'error'} is in ${percent(one.share_of_samples)} of the samples (${times(one.times_floor)} the floor): ${one.sentence}`,
       })),
   );
   return [...findings, ...regimes];

@@ -11,8 +11,10 @@ import {
   effectName,
   errorChange,
   errorChangeText,
+  filterSentence,
   firstIsAnswer,
   gainText,
+  isByAllHorizons,
   modelName,
   readDocument,
   timesFloor,
@@ -83,6 +85,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
           </span>
         )}
       </p>
+      {document.effect_filter.length > 0 && <p class="note">{filterSentence(document)}</p>}
       {document.horizons.length > 0 && <Horizons errors={document.horizons} />}
       {document.ranking.length > 0 && <Ranking document={document} />}
       <Force document={document} />
@@ -118,17 +121,27 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
   return first ? [...rows, ...formulas] : [...formulas, ...rows];
 }
 
+/** Horizons over which a gain is a mean. */
+function decidingHorizons(document: DiagnosisDocument): string {
+  if (document.method !== 'prediction') return 'the horizons';
+  return isByAllHorizons(document) ? 'all horizons' : 'the three shortest horizons';
+}
+
+/** How many candidates were tried, and what chance makes of so many. */
+function triedText({ ranking, hypotheses, p_by_chance }: DiagnosisDocument): string {
+  const shown = `${hypotheses} candidates were tried; the ${ranking.length} best models are shown.`;
+  return p_by_chance === null
+    ? shown
+    : `${shown} Probability that noise alone gives a gain as large as the best one: p = ${plain(p_by_chance, 2)}.`;
+}
+
 /** What the gains are, below their picture. */
 function gainNote(document: DiagnosisDocument): string {
-  if (byHorizon(document) && document.verdict === 'not_in_library' && document.formulas.length > 0)
-    return 'First: the formula below. Change of the cross-validated error against the model alone (geometric mean over the deciding lengths), with 95 % intervals.';
+  const isFormulaFirst = document.verdict === 'not_in_library' && !firstIsAnswer(document) && !document.formulas_of_rest;
+  const first = isFormulaFirst && document.formulas.length > 0 ? 'First: the formula below. ' : '';
   if (byHorizon(document))
-    return 'Change of the cross-validated error against the model alone (geometric mean over all horizons), with 95 % intervals.';
-  const first =
-    document.verdict === 'not_in_library' && !firstIsAnswer(document) && !document.formulas_of_rest
-      ? 'First: the formula below. '
-      : '';
-  return `${first}Increase of the log likelihood over the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: in 95 % of cases noise alone gives the best of ${document.hypotheses} effects a smaller gain (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`;
+    return `${first}Change of the cross-validated error against the null model (geometric mean over ${decidingHorizons(document)}), with 95 % intervals. Blue: the answer. ${triedText(document)}`;
+  return `${first}Increase of the log likelihood over the null model, with 95 % intervals; 5 nats are odds of 150 to 1. Blue: the answer. Dashed: in 95 % of cases noise alone gives the best of ${document.hypotheses} effects a smaller gain (${plain(document.chance_95)} nats; p = ${plain(document.p_by_chance, 2)}).`;
 }
 
 function Ranking({ document }: { document: DiagnosisDocument }) {
@@ -136,7 +149,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
   return (
     <div class="two">
       <Forest
-        title="Cross-validated gain of each candidate"
+        title={byHorizon(document) ? 'Change of the cross-validated error by candidate' : 'Cross-validated gain by candidate'}
         label={measureOf(document)}
         linear={byHorizon(document)}
         chance={byHorizon(document) ? null : document.chance_95}
@@ -146,7 +159,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Figure
         title={outdone ? 'Candidates of the library (none is the answer)' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on ${byHorizon(document) ? 'fitted' : 'left-out'} data, in multiples of the noise floor. Model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
+        note={`Error on ${byHorizon(document) ? 'fitted' : 'left-out'} data, in multiples of the noise floor. Null model: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -294,7 +307,7 @@ function Force({ document }: { document: DiagnosisDocument }) {
                 <tr>
                   <th>joint</th>
                   <th>force</th>
-                  <th class="number">gain</th>
+                  <th class="number">{byHorizon(document) ? 'change of error' : 'gain'}</th>
                 </tr>
               </thead>
               <tbody>

@@ -92,6 +92,9 @@ export interface DiagnosisDocument {
   missing_force: ForceCurve[];
   residual_force: ForceCurve[];
   hypotheses: number;
+  /** Names of the only effects that were tried (`--among`); none: all. */
+  effect_filter: string[];
+  evidence: Record<string, number>;
   findings: string[];
   next_test: string;
   next_test_worth: string;
@@ -157,30 +160,54 @@ export const timesFloor = (one: RatioToFloor) => one.ratio_to_floor ?? one.fitte
 export const effectName = (effect: Effect) => `${effect.effect} @ ${effect.where}`;
 export const modelName = (model: Ranked) => model.effects.map(effectName).join(' + ');
 
+const valuesOf = (best: Ranked) =>
+  best.effects.filter((one) => one.effect === 'wrong_value').map((one) => one.where);
+const effectsOf = (best: Ranked) => best.effects.filter((one) => one.effect !== 'wrong_value').map(effectName);
+
 /** Effects that are missing, and fixed values of the robot file that are wrong. */
 function foundSentence(best: Ranked): string {
-  const values = best.effects.filter((one) => one.effect === 'wrong_value').map((one) => one.where);
-  const effects = best.effects.filter((one) => one.effect !== 'wrong_value').map(effectName);
+  const values = valuesOf(best),
+    effects = effectsOf(best);
   const sentences = [];
   if (effects.length > 0) sentences.push(`The model is missing ${effects.join(' + ')}.`);
   if (values.length > 0) sentences.push(`The robot file has a wrong value: ${values.join(', ')}.`);
   return sentences.join(' ');
 }
 
+/** Says that only some effects were tried; empty where all were. */
+export function filterSentence({ effect_filter: names, hypotheses }: DiagnosisDocument): string {
+  if (names.length === 0) return '';
+  const tried = `${hypotheses} ${hypotheses === 1 ? 'candidate was' : 'candidates were'} tried`;
+  return `Only ${tried} (--among ${names.join(' ')}). To try all effects, run lacuna diagnose without --among.`;
+}
+
 /** The verdict in one sentence. */
 export function verdictSentence(document: DiagnosisDocument): string {
   const best = document.ranking[0];
+  const isFiltered = document.effect_filter.length > 0;
+  const none = isFiltered ? 'none of the effects that were tried' : 'no effect of the library';
   switch (document.verdict) {
     case 'nothing_missing':
-      return 'Nothing is missing: no effect of the library lowers the cross-validated error.';
+      return `${isFiltered ? 'No missing effect was found' : 'Nothing is missing'}: ${none} lowers the cross-validated error.`;
     case 'effect_found':
       return best ? foundSentence(best) : 'An effect is missing.';
     case 'not_in_library':
-      return `Something is missing that no effect of the library explains${document.formulas[0] ? `; the force ${document.formulas[0].text} explains it` : ''}.`;
+      return `Something is missing that ${none} explains${document.formulas[0] ? `; the force ${document.formulas[0].text} explains it` : ''}.`;
     default:
       return 'These data cannot show whether something is missing.';
   }
 }
+
+/** The verdict on a revision that is not the newest one. */
+export function verdictOfRevision(document: DiagnosisDocument, revision: number): string {
+  const best = document.ranking[0];
+  if (document.verdict !== 'effect_found' || !best) return `Diagnosis of revision ${revision}: ${verdictSentence(document)}`;
+  const lacked = [...effectsOf(best), ...valuesOf(best).map((one) => `a correct value of ${one}`)];
+  return `Revision ${revision} lacked ${lacked.join(' + ')}.`;
+}
+
+/** Whether the gains are over all horizons, because the three shortest ones showed nothing. */
+export const isByAllHorizons = (document: DiagnosisDocument) => (document.evidence.all_lengths ?? 0) > 0;
 
 /** With nothing where a document of another version has nothing, but for the answer's gain: it was that of the ranking. */
 export function readDocument(text: string): DiagnosisDocument {
@@ -202,6 +229,8 @@ export function readDocument(text: string): DiagnosisDocument {
     missing_force: [],
     residual_force: [],
     hypotheses: 0,
+    effect_filter: [],
+    evidence: {},
     findings: [],
     next_test: '',
     next_test_worth: '',

@@ -37,13 +37,13 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
         series={[
           {
             name: 'mean of a bin',
-            kind: 'both',
+            kind: isClass(shown.test) ? 'points' : 'both',
             colour: 'residual',
             x: bins.map((one) => one.feature),
             y: bins.map((one) => one.mean),
           },
           {
-            name: '99 % band without dependence',
+            name: '99 % band expected without dependence',
             kind: 'band',
             colour: 'floor',
             x: bins.map((one) => one.feature),
@@ -72,7 +72,7 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
               ),
           },
         ]}
-        note="Share of the squared residual that each feature explains alone. Click a row to see the curve."
+        note="Features are quantities of state and input. Share: part of the squared residual that a feature explains by itself, in the comparison of this revision. Click a row to see the curve."
       >
         <div class="scrolls">
           <table class="grid">
@@ -104,5 +104,8 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
     </div>
   );
 }
+
+/** Features whose values are classes and not numbers: no line joins their means. */
+const isClass = (test: FeatureTest) => ['direction of motion', 'contact'].includes(test.name);
 
 const fullName = (test: FeatureTest) => (test.of ? `${test.name} of ${test.of}` : test.name);

@@ -6,11 +6,14 @@ import type { HorizonError } from './diagnose_data';
 /** How the answer changes the error of predictions, from a few readings to the longest horizon. */
 export function Horizons({ errors }: { errors: HorizonError[] }) {
   const heldOut = errors.some((one) => one.base_held_out !== null);
+  const hasAnswer = errors.some((one) => one.answer !== one.base);
+  const cell = (base: number | null, answer: number | null, unit: string) =>
+    hasAnswer ? change(base, answer, unit) : quantity(base, unit);
   return (
     <Figure
       title="Prediction error by horizon"
       downloads={[{ label: 'CSV', run: () => saveErrors(errors) }]}
-      note="RMS error before → after adding the answer; each prediction starts from a measured state. Floor: error of a right model from noise, initial states and integration."
+      note={`RMS error${hasAnswer ? ' without → with the answer' : ''}; each prediction starts from a measured state, without the part of the error that the uncertainty of this state explains. Floor: noise of a reading.`}
     >
       <div class="scrolls">
         <table class="grid">
@@ -38,8 +41,8 @@ export function Horizons({ errors }: { errors: HorizonError[] }) {
               <tr key={one.channel + one.horizon_s}>
                 <td>{one.channel}</td>
                 <td class="number">{quantity(one.horizon_s, 's')}</td>
-                <td class="number">{change(one.base, one.answer, one.unit)}</td>
-                {heldOut && <td class="number">{change(one.base_held_out, one.answer_held_out, one.unit)}</td>}
+                <td class="number">{cell(one.base, one.answer, one.unit)}</td>
+                {heldOut && <td class="number">{cell(one.base_held_out, one.answer_held_out, one.unit)}</td>}
                 <td class="number">{quantity(one.floor, one.unit)}</td>
               </tr>
             ))}

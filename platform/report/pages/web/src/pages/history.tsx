@@ -1,6 +1,6 @@
 import { useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
-import { quantity, times, unitText } from '../kit/format';
+import { quantity, times } from '../kit/format';
 import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Chart, type ChartSeries } from '../ui/chart';
@@ -105,17 +105,18 @@ function Chosen({ revisions, rows, choices }: { revisions: Revision[]; rows: Row
 
 function Lead({ errors }: { errors: Row[] }) {
   if (errors.length === 0) return <p class="lead">No revision has been compared yet.</p>;
-  const first = errors[0],
-    last = [...errors].reverse().find((one) => one.channel === first.channel) ?? first;
+  const first = errors[0];
+  const of = first.held_out_rmse === null ? first.channel : `${first.channel}, held-out trials`;
+  const last = [...errors].reverse().find((one) => one.channel === first.channel) ?? first;
   if (first === last)
     return (
       <p class="lead">
-        {first.channel}: <strong>{times(first.times_floor)}</strong> the noise floor.
+        {of}: <strong>{times(first.times_floor)}</strong> the noise floor.
       </p>
     );
   return (
     <p class="lead">
-      {first.channel}: from {times(first.times_floor)} the noise floor to <strong>{times(last.times_floor)}</strong> in{' '}
+      {of}: from {times(first.times_floor)} the noise floor to <strong>{times(last.times_floor)}</strong> in{' '}
       {new Set(errors.map((one) => one.revision)).size} revisions.
     </p>
   );
@@ -221,7 +222,7 @@ function Table({
               <th>b</th>
               <th>revision</th>
               <th>change</th>
-              <th>error</th>
+              <th>× floor</th>
               <th>parent</th>
             </tr>
           </thead>
@@ -262,7 +263,7 @@ function Table({
                 <td class="wraps">
                   {errors
                     .filter((row) => row.revision === one.number)
-                    .map((row) => `${row.channel} ${times(row.times_floor)}`)
+                    .map((row) => `${row.channel} ${times(row.times_floor)}${row.held_out_rmse === null ? '' : ' (held out)'}`)
                     .join(', ') || '—'}
                 </td>
                 <td class="muted">{one.parent ?? ''}</td>
@@ -350,7 +351,7 @@ function SideBySide({
                 {channels.map(([channel, unit]) => (
                   <tr key={channel}>
                     <th scope="row">
-                      {channel} <span class="muted">RMSE / {unitText(unit)}</span>
+                      {channel} <span class="muted">RMSE, × floor</span>
                     </th>
                     <td>{error(a, channel, unit)}</td>
                     <td>{error(b, channel, unit)}</td>

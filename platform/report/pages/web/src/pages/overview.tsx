@@ -4,7 +4,7 @@ import { linkTo } from '../kit/route';
 import { Figure } from '../ui/figure';
 import { Breakable, Empty, Show } from '../ui/parts';
 import { saveCsv } from '../kit/download';
-import { verdictSentence } from './diagnose_data';
+import { verdictOfRevision, verdictSentence } from './diagnose_data';
 import { loadOverview, nextStep, type ErrorRow, type Overview } from './overview_data';
 import { newestRun } from './run_progress';
 import { useScoreUnit } from './score_unit';
@@ -62,18 +62,26 @@ function Experiment({ of }: { of: Overview }) {
 function Verdict({ of: { diagnosis, revisions } }: { of: Overview }) {
   if (!diagnosis) return null;
   const { document, revision, id } = diagnosis;
-  const newest = revisions[revisions.length - 1]?.number;
+  const newest = revisions[revisions.length - 1]?.number ?? revision;
+  const link = linkTo('diagnose', { diagnosis: id });
+  const certainty = [
+    ...(document.stopped ? ['preliminary'] : []),
+    ...(document.probability !== null ? [`probability ${probabilityText(document.probability)}`] : []),
+  ];
+  if (newest !== revision)
+    return (
+      <p class="lead">
+        <strong>Revision {newest} is not diagnosed yet.</strong>{' '}
+        <a href={link}>{verdictOfRevision(document, revision)}</a>{' '}
+        <span class="muted">{certainty.join(', ')}</span>
+      </p>
+    );
   return (
     <p class="lead">
-      <a href={linkTo('diagnose', { diagnosis: id })}>
+      <a href={link}>
         <strong>{verdictSentence(document)}</strong>
       </a>{' '}
-      <span class="muted">
-        {document.stopped ? 'preliminary, ' : ''}
-        {document.probability !== null && `probability ${probabilityText(document.probability)}, `}
-        revision {revision}
-        {newest !== undefined && newest !== revision && `; the newest revision is ${newest}`}
-      </span>
+      <span class="muted">{[...certainty, `revision ${revision}`].join(', ')}</span>
     </p>
   );
 }
@@ -94,7 +102,7 @@ function Errors({ of: { name, revisions, errors } }: { of: Overview }) {
   return (
     <Figure
       title="Error by revision"
-      note={`RMSE on the fit trials, before → after. Below: on the held-out trials, and in multiples of the noise floor.${compared.length > kMostRevisions ? ` The last ${kMostRevisions} of ${compared.length} revisions.` : ''}`}
+      note={`First line: RMSE on the fit trials, previous → this revision. Second line: RMSE on the held-out trials, and its multiple of the noise floor (of the fit trials if none is held out).${compared.length > kMostRevisions ? ` The last ${kMostRevisions} of ${compared.length} revisions.` : ''}`}
       downloads={[
         {
           label: 'CSV',

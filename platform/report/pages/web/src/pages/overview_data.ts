@@ -1,7 +1,7 @@
 import { objects, type Source } from '../data/source';
 import { times } from '../kit/format';
 import { shellWord } from '../kit/shell';
-import { firstIsAnswer, readDocument, type DiagnosisDocument } from './diagnose_data';
+import { filterSentence, firstIsAnswer, readDocument, type DiagnosisDocument } from './diagnose_data';
 import { kRuns, type Run } from './run_data';
 
 export interface RevisionRow {
@@ -20,6 +20,17 @@ export interface ErrorRow {
   times_floor: number | null;
 }
 
+/** What follows from the last comparison of a revision (`where_it_fails.document`, `advice`). */
+export interface Advice {
+  experiment: string;
+  revision: number;
+  result: string;
+  /** What to do, or a command to type; empty where nothing follows. */
+  next: string;
+  /** Whether noise and the initial-state uncertainty explain the error of all trials. */
+  is_explained: number;
+}
+
 /** What a database has of an experiment. */
 export interface Overview {
   name: string;
@@ -27,6 +38,7 @@ export interface Overview {
   file: string;
   revisions: RevisionRow[];
   errors: ErrorRow[];
+  advice: Advice[];
   /** The newest one. */
   diagnosis: { id: number; revision: number; document: DiagnosisDocument } | null;
   runs: Run[];
@@ -41,13 +53,24 @@ const kDiagnoses = `SELECT max(diagnosis.id) AS id, experiment.name AS experimen
   FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
   GROUP BY experiment.id`;
 
+// Of the last comparison of each revision that asked where the model fails; databases of before have none.
+const kAdvice = `SELECT experiment.name AS experiment, revision.number AS revision,
+    json_extract(document, '$.advice.result') AS result, json_extract(document, '$.advice.next') AS next,
+    json_extract(document, '$.advice.is_explained') AS is_explained
+  FROM where_it_fails JOIN comparison ON comparison.id = where_it_fails.comparison
+  JOIN revision ON revision.id = comparison.revision JOIN experiment ON experiment.id = revision.experiment
+  WHERE json_extract(document, '$.advice') IS NOT NULL AND comparison.kind = 'refitted' AND comparison.id IN (
+    SELECT max(comparison.id) FROM where_it_fails JOIN comparison ON comparison.id = where_it_fails.comparison
+    WHERE comparison.kind = 'refitted' GROUP BY comparison.revision)`;
+
 /** All experiments, those that a command worked on last first. */
 export async function loadOverview(source: Source): Promise<Overview[]> {
   const rows = async <Row>(sql: string) => objects<Row>(await source.query(sql));
-  const [experiments, revisions, errors, diagnoses, runs] = await Promise.all([
+  const [experiments, revisions, errors, advice, diagnoses, runs] = await Promise.all([
     rows<{ name: string; file: string | null }>(kExperiments),
     rows<RevisionRow>('SELECT experiment, number, change FROM revisions ORDER BY experiment, number'),
     rows<ErrorRow>('SELECT * FROM error_by_revision ORDER BY experiment, revision, channel'),
+    rows<Advice>(kAdvice),
     rows<{ id: number; experiment: string; revision: number; document: string }>(kDiagnoses),
     rows<Run>(kRuns),
   ]);
@@ -59,6 +82,7 @@ export async function loadOverview(source: Source): Promise<Overview[]> {
       file: (file ?? 'FILE').replace(/^.*\//, ''),
       revisions: own(revisions),
       errors: own(errors),
+      advice: own(advice),
       diagnosis: diagnosis ? { ...diagnosis, document: readDocument(diagnosis.document) } : null,
       runs: own(runs),
     };
@@ -80,18 +104,20 @@ export function heldOutAbove(errors: ErrorRow[]): ErrorRow | null {
 }
 
 const heldOutStep = (one: ErrorRow, file: string): Step => ({
-  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor. Possible causes: an uncertain initial state, a motion that excites an effect which the fit files do not excite, or a different recording. The last line of compare names the possible ones.`,
+  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor. Possible causes: an uncertain initial state, a motion that excites an effect which the fit files do not excite, or a different recording. The last line of lacuna compare says which of them are possible.`,
   command: `lacuna compare ${file}`,
 });
 
-function stepAfterDiagnosis(document: DiagnosisDocument, errors: ErrorRow[], file: string): Step {
+function stepAfterDiagnosis(document: DiagnosisDocument, errors: ErrorRow[], isExplained: boolean, file: string): Step {
   const answer = document.ranking[0]?.effects ?? [];
   if (document.stopped)
     return {
       sentence: 'The time limit stopped the search. To continue, repeat the command.',
       command: `lacuna diagnose ${file}`,
     };
-  const heldOut = heldOutAbove(errors);
+  const heldOut = isExplained ? null : heldOutAbove(errors);
+  if (document.verdict === 'nothing_missing' && document.effect_filter.length > 0)
+    return { sentence: filterSentence(document), command: `lacuna diagnose ${file}` };
   if (document.verdict === 'nothing_missing')
     return heldOut ? heldOutStep(heldOut, file) : { sentence: 'Nothing to add: the loop ends here.' };
   const misread = document.findings.find((one) => one.includes('; check counts per turn'));
@@ -125,11 +151,22 @@ export function farthest(errors: ErrorRow[]): ErrorRow | null {
   return errors.reduce((a, b) => (b.times_floor! > a.times_floor! ? b : a));
 }
 
-function stepOfModel({ revisions, errors, diagnosis, file }: Overview): Step {
+/** Of a revision that is compared and not diagnosed. */
+function stepAfterComparison({ result, next }: Advice, isDiagnosedBefore: boolean, file: string): Step {
+  if (/^lacuna /.test(next)) return { sentence: result, command: next };
+  if (next !== '') return { sentence: `${result} Next: ${next}.` };
+  return isDiagnosedBefore
+    ? { sentence: `${result}. To confirm this, diagnose the new revision.`, command: `lacuna diagnose ${file}` }
+    : { sentence: `${result}.` };
+}
+
+function stepOfModel({ revisions, errors, advice, diagnosis, file }: Overview): Step {
   const newest = revisions[revisions.length - 1].number;
   const word = shellWord(file);
   const own = errors.filter((one) => one.revision === newest);
-  if (diagnosis?.revision === newest) return stepAfterDiagnosis(diagnosis.document, own, word);
+  const compared = advice.find((one) => one.revision === newest);
+  if (diagnosis?.revision === newest)
+    return stepAfterDiagnosis(diagnosis.document, own, Boolean(compared?.is_explained), word);
   if (own.length === 0)
     return { sentence: `Revision ${newest} has not been compared with the trials yet.`, command: `lacuna compare ${word}` };
   const worst = farthest(own);
@@ -138,13 +175,14 @@ function stepOfModel({ revisions, errors, diagnosis, file }: Overview): Step {
       sentence:
         'The noise floor is not known, so a missing effect cannot be seen. Declare the noise of the sensors.',
     };
+  if (compared) return stepAfterComparison(compared, diagnosis !== null, word);
   if (worst.times_floor! <= kAtTheFloor)
     return {
       sentence: `The error is ${times(worst.times_floor)} the noise floor: as small as the noise allows.`,
     };
   return {
-    sentence: `The error of ${worst.channel} is ${times(worst.times_floor)} the noise floor: something is missing.`,
-    command: `lacuna diagnose ${word}`,
+    sentence: `The error of ${worst.channel} is ${times(worst.times_floor)} the noise floor. The last line of lacuna compare says whether the initial-state uncertainty explains it or an effect is missing.`,
+    command: `lacuna compare ${word}`,
   };
 }
 

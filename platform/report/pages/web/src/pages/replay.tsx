@@ -152,8 +152,8 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
       <p class="note">
         {play.note} {play.actors.some((one) => one.touching) && 'Bodies that touch the ground are highlighted. '}
         <span class="keys">
-          <Key>space</Key> plays, <Key>←</Key> <Key>→</Key> step, <Key>,</Key> <Key>.</Key> change the speed; drag turns
-          the camera.
+          Keys: <Key>space</Key> play, <Key>←</Key> / <Key>→</Key> step, <Key>,</Key> (comma) slower, <Key>.</Key> (full
+          stop) faster. Drag to turn the camera.
         </span>
       </p>
       <TrialCurvesPanel

@@ -18,7 +18,8 @@ export function RunPage({ choices }: { choices: Record<string, string> }) {
       {(all) =>
         all.length === 0 ? (
           <Empty>
-            The database has no run of the algorithm. Make one: <code>lacuna run FILE</code>
+            The database has no run of the Estimation-Exploration Algorithm (<code>lacuna run FILE</code>). Comparing and
+            diagnosing a model need none.
           </Empty>
         ) : (
           <Chosen all={all} choices={choices} />

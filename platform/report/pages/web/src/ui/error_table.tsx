@@ -44,7 +44,7 @@ export function ErrorTable({ scores, setups, trial, choose, linkOf }: Props) {
   return (
     <Figure
       title="Error by trial and channel"
-      note="RMSE of a free run, and in multiples of the noise floor. Darker: farther above the floor. Below: the largest error and its time."
+      note="First line: multiple of the noise floor, and RMSE of the simulation of the whole trial from its initial state (free run). Second line: largest error and its time. Darker means larger."
       downloads={[{ label: 'CSV', run: keep }]}
     >
       <div class="scrolls">

@@ -16,7 +16,13 @@ function heat(share: number): string {
 /** Of the model as it is, or what no effect explains. */
 type Kind = 'missing' | 'unexplained';
 
-const titleOf = (kind: Kind, name: string) => (kind === 'missing' ? `Missing force on ${name}` : `Force on ${name}`);
+/** A force on a slider is a torque on a hinge. */
+const forceWord = (unit: string) => (/^N\*m/.test(unit) ? 'torque' : 'force');
+
+function titleOf(kind: Kind, name: string, unit: string): string {
+  const word = forceWord(unit);
+  return kind === 'missing' ? `Missing ${word} on ${name}` : `${word === 'torque' ? 'Torque' : 'Force'} on ${name}`;
+}
 
 /** The force that the residual shows: a curve a feature, and a map where it is known over velocity at several positions. */
 export function ForceMap({ curves, kind }: { curves: ForceCurve[]; kind: Kind }) {
@@ -26,9 +32,9 @@ export function ForceMap({ curves, kind }: { curves: ForceCurve[]; kind: Kind })
       {groups.map(([name, members]) => {
         const placed = members.filter((one) => one.position !== undefined);
         return placed.length > 2 ? (
-          <Heat key={name} title={`Force on ${name} and position`} curves={placed} />
+          <Heat key={name} title={`${titleOf('unexplained', name, placed[0].force_unit)} and position`} curves={placed} />
         ) : (
-          <Curve key={name} title={titleOf(kind, name)} curves={members} />
+          <Curve key={name} title={titleOf(kind, name, members[0].force_unit)} curves={members} />
         );
       })}
     </>
@@ -76,11 +82,11 @@ function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
     <Chart
       title={title}
       x={{ label: first.of, unit: first.unit }}
-      y={{ label: 'force', unit: first.force_unit, include: [0] }}
+      y={{ label: forceWord(first.force_unit), unit: first.force_unit, include: [0] }}
       note={
         first.by_answer
-          ? 'Residual force of the model (nonparametric, ± 2 standard errors), and the force of the answer. Where they differ, the law has another form.'
-          : 'Nonparametric residual force that fits best, ± 2 standard errors.'
+          ? `${forceWord(first.force_unit) === 'torque' ? 'Torque' : 'Force'} that the model lacks with its present fitted values (nonparametric, ± 2 standard errors), and what the answer adds. If the curves differ, the answer has the wrong formula.`
+          : `Nonparametric residual ${forceWord(first.force_unit)} that fits best, ± 2 standard errors.`
       }
       series={curves.flatMap((one, i) => [
         {
@@ -124,7 +130,7 @@ function Heat({ title, curves }: { title: string; curves: ForceCurve[] }) {
         { label: 'SVG', run: () => saveSvg(picture.current!, title) },
         { label: 'CSV', run: () => keep(curves, title) },
       ]}
-      note={`Orange: positive force; blue: negative force. Full colour: ${quantity(most, rows[0].force_unit)}. Numbers in ${prefix.symbol}${unitText(rows[0].force_unit)}.`}
+      note={`Orange: positive; blue: negative. Full colour: ${quantity(most, rows[0].force_unit)}. Numbers in ${prefix.symbol}${unitText(rows[0].force_unit)}.`}
     >
       <div class="chart" ref={box}>
         {width > 0 && (

@@ -25,7 +25,7 @@ export function RegimeTable({ regimes, chosen, choose }: Props) {
     <Figure
       title="Error by regime"
       downloads={[{ label: 'CSV', run: keep }]}
-      note="On the fit trials. Click a regime to show the trial with most of its samples, highlighted."
+      note="On the fit trials. Load: force or torque of actuators, springs and dampers on the joint, in the model. Accumulated work: integral of |load × velocity| over time. Click a regime to show the trial with most of its samples, highlighted."
     >
       <div class="scrolls">
         <table class="grid regimes">
