@@ -57,7 +57,7 @@ TEST(CheckSummary, SaysWhatAnExperimentHas) {
             "          chirp.csv (held out): 5 samples, 2.00 s, 2 Hz\n"
             "          total 10 samples, 4.00 s\n"
             "channels  angle, measured: column angle_deg in deg, -0.500 rad to 1.50 rad, 2 values not compared\n"
-            "          servo, commanded: column i_A in A × 50 mN*m/A, 20.0 mN*m to 20.0 mN*m\n"
+            "          servo, commanded: column i_A in A × 50 mN·m/A, 20.0 mN·m to 20.0 mN·m\n"
             "driven    servo: a servo on the recorded goal, closed loop\n"
             "note      sine.csv:3: a gap\n");
 }

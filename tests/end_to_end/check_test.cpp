@@ -38,7 +38,7 @@ TEST_F(Check, SaysWhatWasRead) {
   EXPECT_THAT(outcome.output, HasSubstr("chirp.csv (held out): 2001 samples, 4.00 s, 500 Hz\n"));
   EXPECT_THAT(outcome.output, HasSubstr("total 6003 samples, 12.0 s\n"));
   EXPECT_THAT(outcome.output, HasSubstr("angle, measured: column angle_deg in deg, -"));
-  EXPECT_THAT(outcome.output, HasSubstr("motor, commanded: column torque_Nm in N*m, -"));
+  EXPECT_THAT(outcome.output, HasSubstr("motor, commanded: column torque_Nm in N·m, -"));
 }
 
 TEST_F(Check, GivesWhatWasReadAsJson) {

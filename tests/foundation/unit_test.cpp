@@ -1,5 +1,7 @@
 #include "foundation/unit.h"
 
+#include "foundation/text/unit_text.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -38,8 +40,25 @@ TEST(ParseUnit, RefusesWhatIsNoUnit) {
 TEST(FormatQuantity, ChoosesAPrefixThatSuitsTheSize) {
   EXPECT_EQ(format_quantity(0.0091, "rad"), "9.10 mrad");
   EXPECT_EQ(format_quantity(95.1, "kg"), "95.1 kg");
-  EXPECT_EQ(format_quantity(0.131, "N*m"), "0.131 N*m");
+  EXPECT_EQ(format_quantity(0.131, "N*m"), "0.131 N·m");
+  EXPECT_EQ(format_quantity(0.0315, "N*m*s/rad"), "31.5 mN·m·s/rad");
+  EXPECT_EQ(format_quantity(2.0, "kg*m^2"), "2.00 kg·m²");
   EXPECT_EQ(format_quantity(std::numeric_limits<double>::infinity(), "N/m"), "inf N/m");
+}
+
+TEST(FormatChange, GivesBothValuesThePrefixOfTheLarger) {
+  EXPECT_EQ(format_change(7.85e-3, 3.91e-4, "N*m*s/rad"), "7.85 → 0.391 mN·m·s/rad");
+  EXPECT_EQ(format_change(-0.4, 0.2, "1"), "-0.400 → 0.200");
+}
+
+TEST(UnitText, IsReadBackAsItIsTyped) {
+  for (const char* unit : {"N*m*s^2/rad^2", "kg*m^2", "1/s^-2", "m/s^2*kg", "rad", "%", "1/(N*m)"})
+    EXPECT_EQ(typed_unit(unit_text(unit)), unit);
+  EXPECT_EQ(unit_text("N*m*s^2/rad^2"), "N·m·s²/rad²");
+  EXPECT_EQ(unit_text("1/s^-12"), "1/s⁻¹²");
+  EXPECT_TRUE(parse_unit("N·m·s²/rad²")->same_dimension(*parse_unit("N*m*s^2/rad^2")));
+  EXPECT_EQ(unit_after_number("1"), "");
+  EXPECT_EQ(unit_after_number("N*m"), " N·m");
 }
 
 /// A share of 1 that somebody gives in degrees is a mistake.
