@@ -90,7 +90,7 @@ class Candidate:
     look_alikes : tuple of str
         Effects that these data do not tell apart from it.
     gain : float
-        Over the model alone, nats (see `Gain`).
+        Over the null model, nats (see `Gain`).
     gain_ci95 : tuple of two float
         Its 95 % interval.
     gain_standard_error : float
@@ -120,7 +120,7 @@ class Candidate:
 
 @dataclass(frozen=True)
 class BaseErrors:
-    """Errors of the model alone, of the longest predictions.
+    """Errors of the null model, of the longest predictions.
 
     Attributes
     ----------
@@ -151,7 +151,7 @@ class HorizonError:
     floor : float
         Noise of a reading.
     base, answer : float
-        RMS error of the model alone and with the answer, on the fit trials.
+        RMS error of the null model and with the answer, on the fit trials.
     base_held_out, answer_held_out : float
         The same on the held-out trials.
     """
@@ -244,15 +244,15 @@ class Diagnosis(Answer, Table):
     method : str or None
         What decided. None: nothing was searched.
     base : BaseErrors or None
-        Errors of the model alone.
+        Errors of the null model.
     horizons : tuple of HorizonError
         Errors by length of the prediction.
     p_by_chance : float or None
         How often noise alone gains as much as the best set. None: not asked.
     answer_gain : Gain or None
-        Gain of the answer over the model alone.
+        Gain of the answer over the null model.
     missing_force : tuple of ForceCurve
-        Force that the model alone lacks on the joints of the answer.
+        Force that the null model lacks on the joints of the answer.
     unexplained : UnexplainedForce or None
         A force that no effect has.
     formulas : tuple of ForceFormula

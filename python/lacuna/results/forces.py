@@ -95,7 +95,7 @@ class ForceFormula:
     terms : tuple of FormulaTerm
         Its terms.
     gain : Gain
-        Over the model alone.
+        Over the null model.
     """
 
     joint: str
