@@ -54,6 +54,7 @@ Diagnosis filled() {
   whole.residual_force = {{"hinge", "velocity", "rad/s", "N*m", {-1.0, 1.0}, {0.1, 0.2}, {0.01, 0.02}, 0.3}};
   whole.formulas = {formula()};
   whole.hypotheses = 47;
+  whole.effect_filter = {"coulomb_friction", "wrong_value"};
   whole.untestable = {{"slope", "world", "the robot has no ground to touch"}};
   whole.findings = {"a sentence"};
   whole.next_test = "steps motor 1 N*m";
@@ -69,8 +70,8 @@ TEST(DiagnosisJson, KeepsEveryField) {
   const Diagnosis whole = filled();
   const auto [verdict, probability, calibrated, method, evidence, horizons, base, base_times_floor, base_segment,
               ranking, values, p_by_chance, answer_gain, missing_force, unexplained, residual_force, formulas,
-              hypotheses, untestable, findings, next_test, next_test_setup, next_test_worth, stopped, seconds] =
-      read_diagnosis(diagnosis_json(whole));
+              hypotheses, effect_filter, untestable, findings, next_test, next_test_setup, next_test_worth, stopped,
+              seconds] = read_diagnosis(diagnosis_json(whole));
   EXPECT_EQ(verdict, whole.verdict);
   EXPECT_EQ(probability, whole.probability);
   EXPECT_EQ(calibrated, whole.calibrated);
@@ -93,6 +94,7 @@ TEST(DiagnosisJson, KeepsEveryField) {
   EXPECT_EQ(formulas.front().terms, formula().terms);
   EXPECT_EQ(formulas.front().gain, formula().gain);
   EXPECT_EQ(hypotheses, whole.hypotheses);
+  EXPECT_EQ(effect_filter, whole.effect_filter);
   ASSERT_EQ(untestable.size(), 1U);
   EXPECT_EQ(untestable, whole.untestable);
   EXPECT_EQ(findings, whole.findings);
@@ -119,8 +121,8 @@ TEST(DiagnosisJson, KeepsEveryVerdictAndMethod) {
 /// Documents that earlier versions kept in databases have fewer keys, and some of other names.
 TEST(DiagnosisJson, ReadsADocumentOfAnEarlierVersion) {
   nlohmann::ordered_json early = nlohmann::ordered_json::parse(diagnosis_json(filled()));
-  for (const char* newer :
-       {"method", "calibrated", "evidence", "horizons", "values", "answer_gain", "next_test_setup", "stopped"})
+  for (const char* newer : {"method", "calibrated", "evidence", "horizons", "values", "answer_gain", "next_test_setup",
+                            "stopped", "effect_filter"})
     ASSERT_EQ(early.erase(newer), 1U) << newer;
   early["next_test_setup"] = nullptr;
   for (nlohmann::ordered_json* model : {&early["base"], &early["ranking"][0]}) {
@@ -148,7 +150,7 @@ TEST(DiagnosisJson, LeavesOutWhatWasNotAsked) {
   const std::set<std::string> always = {"verdict",         "probability",  "calibrated", "evidence",
                                         "noise_floor",     "units",        "ranking",    "values",
                                         "hypotheses",      "findings",     "next_test",  "next_test_setup",
-                                        "next_test_worth", "not_testable", "seconds"};
+                                        "next_test_worth", "not_testable", "seconds",    "effect_filter"};
   Diagnosis nothing;
   EXPECT_EQ(keys_of(nlohmann::json::parse(diagnosis_json(nothing))), always) << "nothing was searched";
   EXPECT_EQ(read_diagnosis(diagnosis_json(nothing)).method, std::nullopt);

@@ -261,6 +261,8 @@ class Diagnosis(Answer, Table):
         Its curves.
     stopped : StoppedSearch or None
         Where a time limit stopped the search: the verdict is preliminary. None: it is finished.
+    effect_filter : tuple of str
+        The only effects that were tried. Empty: all.
     """
 
     verdict: str
@@ -288,6 +290,7 @@ class Diagnosis(Answer, Table):
     formulas: tuple[ForceFormula, ...] = ()
     residual_force: tuple[ForceCurve, ...] = ()
     stopped: Optional[StoppedSearch] = None
+    effect_filter: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return f"Diagnosis({self.verdict}{f': {self.answer}' if self.answer else ''})"

@@ -85,7 +85,7 @@ function Frame({ source, trouble }: { source: Source; trouble: string | null }) 
       )}
       <Notes />
       <main>
-        {unknown && <Empty>There is no page “{route.page}”. Those that there are stand at the top.</Empty>}
+        {unknown && <Empty>There is no page “{route.page}”. The pages are listed at the top.</Empty>}
         {page && (
           <Guard key={page.name}>
             <page.Page choices={route.choices} />

@@ -14,7 +14,6 @@ import {
   filterSentence,
   firstIsAnswer,
   gainText,
-  isByAllHorizons,
   modelName,
   readDocument,
   timesFloor,
@@ -27,6 +26,7 @@ import {
 } from './diagnose_data';
 import { Features } from './diagnose_features';
 import { Horizons } from './diagnose_horizons';
+import { byHorizon, gainNote, measureOf } from './diagnose_notes';
 
 const kDiagnoses = `SELECT diagnosis.id, experiment.name AS experiment, revision.number AS revision, diagnosis.document
   FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
@@ -95,9 +95,6 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
   );
 }
 
-/** Whether candidates are ranked by errors over horizons, and not by likelihoods. */
-const byHorizon = (document: DiagnosisDocument) => document.horizons.length > 0;
-const measureOf = (document: DiagnosisDocument) => (byHorizon(document) ? 'change of error / %' : 'gain / nats');
 
 /** The ranked candidates, and the formula if it was evaluated with the same noise. */
 function rowsOf(document: DiagnosisDocument): ForestRow[] {
@@ -119,29 +116,6 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
     chosen: !first,
   }));
   return first ? [...rows, ...formulas] : [...formulas, ...rows];
-}
-
-/** Horizons over which a gain is a mean. */
-function decidingHorizons(document: DiagnosisDocument): string {
-  if (document.method !== 'prediction') return 'the horizons';
-  return isByAllHorizons(document) ? 'all horizons' : 'the three shortest horizons';
-}
-
-/** How many candidates were tried, and what chance makes of so many. */
-function triedText({ ranking, hypotheses, p_by_chance }: DiagnosisDocument): string {
-  const shown = `${hypotheses} candidates were tried; the ${ranking.length} best models are shown.`;
-  return p_by_chance === null
-    ? shown
-    : `${shown} Probability that noise alone gives a gain as large as the best one: p = ${plain(p_by_chance, 2)}.`;
-}
-
-/** What the gains are, below their picture. */
-function gainNote(document: DiagnosisDocument): string {
-  const isFormulaFirst = document.verdict === 'not_in_library' && !firstIsAnswer(document) && !document.formulas_of_rest;
-  const first = isFormulaFirst && document.formulas.length > 0 ? 'First: the formula below. ' : '';
-  if (byHorizon(document))
-    return `${first}Change of the cross-validated error against the null model (geometric mean over ${decidingHorizons(document)}), with 95 % intervals. Blue: the answer. ${triedText(document)}`;
-  return `${first}Increase of the log likelihood over the null model, with 95 % intervals; 5 nats are odds of 150 to 1. Blue: the answer. Dashed: in 95 % of cases noise alone gives the best of ${document.hypotheses} effects a smaller gain (${plain(document.chance_95)} nats; p = ${plain(document.p_by_chance, 2)}).`;
 }
 
 function Ranking({ document }: { document: DiagnosisDocument }) {
