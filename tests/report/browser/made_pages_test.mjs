@@ -392,6 +392,8 @@ describe('the overview', () => {
       findings: [],
       next_test: '',
       formulas_of_rest: false,
+      effect_filter: [],
+      evidence: {},
       answer_gain: { value: 0 },
       free_force: { gain: { value: 0 } },
       ...more,
@@ -402,6 +404,7 @@ describe('the overview', () => {
         file: 'my rig.toml',
         revisions: [{ experiment: 'rig', number: 3, change: '' }],
         errors: [],
+        advice: [],
         runs: [],
         diagnosis: { id: 1, revision: 3, document: document(verdict, more) },
       }).command;
@@ -429,6 +432,55 @@ describe('the overview', () => {
       "lacuna trial 'my rig.toml' --test 'triangle motor 0.3 N*m 0.1 Hz 20 s' --setup heavy --csv=next.csv",
     );
     assert.equal(commandAfter('cannot_tell', { stopped: { during: 'x' } }), "lacuna diagnose 'my rig.toml'");
+    assert.equal(
+      commandAfter('nothing_missing', { effect_filter: ['backlash'], hypotheses: 1 }),
+      "lacuna diagnose 'my rig.toml'",
+      'all other effects are left',
+    );
+  });
+
+  /** A rig of two revisions, the second of which has an error of 1.3 floors on its held-out files. */
+  const compared = (advice, diagnosed) => ({
+    name: 'rig',
+    file: 'rig.toml',
+    revisions: [1, 2].map((number) => ({ experiment: 'rig', number, change: '' })),
+    errors: [{ revision: 2, channel: 'angle', unit: 'rad', fit_rmse: 2, held_out_rmse: 1.3, times_floor: 1.3 }],
+    advice: advice ? [{ revision: 2, ...advice }] : [],
+    runs: [],
+    diagnosis: { id: 1, revision: diagnosed, document: { verdict: 'nothing_missing', ranking: [], effect_filter: [] } },
+  });
+
+  it('takes what the initial-state uncertainty explains for no missing effect', async () => {
+    const { nextStep } = await pageModule('pages/overview_data.ts');
+    const explained = { result: 'Error is 2.8 × the noise floor. It is explained', next: '', is_explained: 1 };
+    assert.deepEqual(nextStep(compared(explained, 1)), {
+      sentence: 'Error is 2.8 × the noise floor. It is explained. To confirm this, diagnose the new revision.',
+      command: 'lacuna diagnose rig.toml',
+    });
+    assert.deepEqual(nextStep(compared(explained, 2)), { sentence: 'Nothing to add: the loop ends here.' });
+    assert.match(nextStep(compared(null, 2)).sentence, /the held-out error of angle is 1\.30 × the noise floor/);
+    const missing = { result: 'Something is missing.', next: 'lacuna diagnose rig.toml', is_explained: 0 };
+    assert.deepEqual(nextStep(compared(missing, 1)), {
+      sentence: 'Something is missing.',
+      command: 'lacuna diagnose rig.toml',
+    });
+    assert.equal(nextStep(compared(null, 1)).command, 'lacuna compare rig.toml', 'of an older version');
+    assert.doesNotMatch(nextStep(compared(null, 1)).sentence, /something is missing/);
+  });
+
+  it('says what was found in an earlier revision as of that revision', async () => {
+    const { verdictOfRevision, verdictSentence, filterSentence } = await pageModule('pages/diagnose_data.ts');
+    const found = {
+      verdict: 'effect_found',
+      effect_filter: [],
+      ranking: [{ effects: [{ effect: 'drag', where: 'joint.hinge' }] }],
+    };
+    assert.equal(verdictOfRevision(found, 1), 'Revision 1 lacked drag @ joint.hinge.');
+    assert.equal(verdictSentence(found), 'The model is missing drag @ joint.hinge.');
+    const filtered = { verdict: 'nothing_missing', effect_filter: ['drag', 'backlash'], hypotheses: 2, ranking: [] };
+    assert.match(verdictSentence(filtered), /^No missing effect was found: none of the effects that were tried/);
+    assert.match(filterSentence(filtered), /^Only 2 candidates were tried \(--among drag backlash\)\./);
+    assert.equal(filterSentence({ ...filtered, effect_filter: [] }), '');
   });
 });
 

@@ -222,7 +222,7 @@ function pagesOf(way, open) {
       );
       await shot(page, `history-${way}`);
       await go(page, rig, '#/history?experiment=damped-flap');
-      assert.match(await page.textContent('.lead'), /^angle: [\d.]+ × the noise floor\.$/);
+      assert.match(await page.textContent('.lead'), /^angle, held-out trials: [\d.]+ × the noise floor\.$/);
       await page.waitForSelector('.chart line.ink-floor', { state: 'attached' });
     });
 
