@@ -454,14 +454,14 @@ describe('the overview', () => {
     const { nextStep } = await pageModule('pages/overview_data.ts');
     const explained = { result: 'Error is 2.8 × the noise floor. It is explained', next: '', is_explained: 1 };
     assert.deepEqual(nextStep(compared(explained, 1)), {
-      sentence: 'Error is 2.8 × the noise floor. It is explained. To confirm this, diagnose the new revision.',
+      sentence: 'Confirm with a diagnosis of revision 2. Error is 2.8 × the noise floor. It is explained.',
       command: 'lacuna diagnose rig.toml',
     });
     assert.deepEqual(nextStep(compared(explained, 2)), { sentence: 'Nothing to add: the loop ends here.' });
     assert.match(nextStep(compared(null, 2)).sentence, /the held-out error of angle is 1\.30 × the noise floor/);
     const missing = { result: 'Something is missing.', next: 'lacuna diagnose rig.toml', is_explained: 0 };
     assert.deepEqual(nextStep(compared(missing, 1)), {
-      sentence: 'Something is missing.',
+      sentence: 'Find the missing effect. Something is missing.',
       command: 'lacuna diagnose rig.toml',
     });
     assert.equal(nextStep(compared(null, 1)).command, 'lacuna compare rig.toml', 'of an older version');

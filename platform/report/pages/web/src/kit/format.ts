@@ -11,6 +11,9 @@ export function unitText(unit: string): string {
     .replace(/\^(-?\d)/g, (_, digits: string) => [...digits].map((digit) => kSuperscripts[digit] ?? digit).join(''));
 }
 
+/** A force on a slider is a torque on a hinge (report/text/diagnosis_text.cpp). */
+export const forceWord = (unit: string) => (/^N\*m/.test(unit) ? 'torque' : 'force');
+
 // The first factor takes the prefix, if it may have one and is no power.
 const takesPrefix = (unit: string) => /^(rad|Pa|Hz|Ohm|g|m|s|A|N|V|W|J)(?![A-Za-z0-9^])/.test(unit);
 

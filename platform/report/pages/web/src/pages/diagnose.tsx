@@ -1,6 +1,6 @@
 import { useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
-import { plain, probabilityText, quantity, times } from '../kit/format';
+import { forceWord, plain, probabilityText, quantity, times } from '../kit/format';
 import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Figure } from '../ui/figure';
@@ -271,8 +271,8 @@ function Force({ document }: { document: DiagnosisDocument }) {
           downloads={[{ label: 'CSV', run: () => saveFormulas(document) }]}
           title={
             document.formulas_of_rest || document.verdict === 'effect_found'
-              ? 'Formula for the residual force'
-              : 'Formula for the missing force'
+              ? `Formula for the residual ${forceWord(document.formulas[0].unit)}`
+              : `Formula for the missing ${forceWord(document.formulas[0].unit)}`
           }
         >
           <div class="scrolls">
@@ -280,7 +280,7 @@ function Force({ document }: { document: DiagnosisDocument }) {
               <thead>
                 <tr>
                   <th>joint</th>
-                  <th>force</th>
+                  <th>{forceWord(document.formulas[0].unit)}</th>
                   <th class="number">{byHorizon(document) ? 'change of error' : 'gain'}</th>
                 </tr>
               </thead>

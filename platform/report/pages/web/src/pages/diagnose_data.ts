@@ -1,3 +1,5 @@
+import { forceWord } from '../kit/format';
+
 export interface Parameter {
   value: number | null;
   ci95: [number | null, number | null];
@@ -183,7 +185,8 @@ export function filterSentence({ effect_filter: names, hypotheses }: DiagnosisDo
 
 /** The verdict in one sentence. */
 export function verdictSentence(document: DiagnosisDocument): string {
-  const best = document.ranking[0];
+  const best = document.ranking[0],
+    formula = document.formulas?.[0];
   const isFiltered = document.effect_filter.length > 0;
   const none = isFiltered ? 'none of the effects that were tried' : 'no effect of the library';
   switch (document.verdict) {
@@ -192,7 +195,7 @@ export function verdictSentence(document: DiagnosisDocument): string {
     case 'effect_found':
       return best ? foundSentence(best) : 'An effect is missing.';
     case 'not_in_library':
-      return `Something is missing that ${none} explains${document.formulas[0] ? `; the force ${document.formulas[0].text} explains it` : ''}.`;
+      return `Something is missing that ${none} explains${formula ? `; the ${forceWord(formula.unit)} ${formula.text} explains it` : ''}.`;
     default:
       return 'These data cannot show whether something is missing.';
   }

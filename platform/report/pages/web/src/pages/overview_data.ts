@@ -152,13 +152,15 @@ export function farthest(errors: ErrorRow[]): ErrorRow | null {
 }
 
 /** Of a revision that is compared and not diagnosed. */
-function stepAfterComparison({ result, next }: Advice, isDiagnosedBefore: boolean, file: string): Step {
-  if (/^lacuna /.test(next)) return { sentence: result, command: next };
-  if (next !== '') return { sentence: `${result} Next: ${next}.` };
+function stepAfterComparison({ revision, result, next }: Advice, isDiagnosedBefore: boolean, file: string): Step {
+  if (/^lacuna /.test(next)) return { sentence: `Find the missing effect. ${result}`, command: next };
+  if (next !== '') return { sentence: `${capital(next)}. ${result}` };
   return isDiagnosedBefore
-    ? { sentence: `${result}. To confirm this, diagnose the new revision.`, command: `lacuna diagnose ${file}` }
-    : { sentence: `${result}.` };
+    ? { sentence: `Confirm with a diagnosis of revision ${revision}. ${result}.`, command: `lacuna diagnose ${file}` }
+    : { sentence: `Nothing to do. ${result}.` };
 }
+
+const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function stepOfModel({ revisions, errors, advice, diagnosis, file }: Overview): Step {
   const newest = revisions[revisions.length - 1].number;

@@ -1,7 +1,7 @@
 import { useRef } from 'preact/hooks';
 import type { ForceCurve } from '../pages/diagnose_data';
 import { saveCsv, saveSvg } from '../kit/download';
-import { plain, prefixFor, quantity, unitText } from '../kit/format';
+import { forceWord, plain, prefixFor, quantity, unitText } from '../kit/format';
 import { Chart, useWidth } from './chart';
 import { Figure } from './figure';
 
@@ -15,9 +15,6 @@ function heat(share: number): string {
 
 /** Of the model as it is, or what no effect explains. */
 type Kind = 'missing' | 'unexplained';
-
-/** A force on a slider is a torque on a hinge. */
-const forceWord = (unit: string) => (/^N\*m/.test(unit) ? 'torque' : 'force');
 
 function titleOf(kind: Kind, name: string, unit: string): string {
   const word = forceWord(unit);
