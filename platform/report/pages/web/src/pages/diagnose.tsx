@@ -54,8 +54,8 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
   const row = all.find((one) => String(one.id) === choices.diagnosis) ?? all[all.length - 1];
   const document = readDocument(row.document);
   const names = all.map((one) => {
-    const { verdict } = readDocument(one.document);
-    return `${one.experiment} · revision ${one.revision} · ${verdict.replace(/_/g, ' ')}`;
+    const { verdict, effect_filter } = readDocument(one.document);
+    return `${one.experiment} · revision ${one.revision} · ${verdict.replace(/_/g, ' ')}${effect_filter.length > 0 ? ' (--among)' : ''}`;
   });
   // Several diagnoses of one revision are numbered.
   const label = (i: number) => {

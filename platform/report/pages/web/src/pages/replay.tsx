@@ -243,12 +243,12 @@ function StageView({ play, moment, stage }: { play: Play; moment: Moment; stage:
           <div class="legend over">
             <span class="key swatch-model">
               <i />
-              model
+              model (predicted)
             </span>
             {play.actors.length > 1 && (
               <span class="key swatch-target">
                 <i />
-                target
+                target (measured)
               </span>
             )}
           </div>
