@@ -62,7 +62,8 @@ TEST(SettlingTest, SaysThatNoTestTellsTwoOfOnePrediction) {
   found.decision.alike = {3};
   const Diagnosis result = proposed(found);
   EXPECT_EQ(result.next_test, "");
-  EXPECT_THAT(result.findings, testing::ElementsAre(testing::HasSubstr("no test within these limits would tell")));
+  EXPECT_THAT(result.findings,
+              testing::ElementsAre(testing::HasSubstr("no test within the limits of the actuators separates")));
 }
 
 }  // namespace
