@@ -94,7 +94,7 @@ TEST(FeatureSelection, LeavesToCovariatesWhatTheyExplain) {
   EXPECT_THAT(selected_of(tests), ElementsAre(kDirection));
 }
 
-/// Dry friction of which a fitted damping took a part: what is left is near nothing in the mean of each velocity.
+/// Dry friction, part of which a fitted damping took over: what remains averages to almost zero at each velocity.
 TEST(FeatureSelection, FindsBesideTheLinearTermsWhatFittedValuesHide) {
   const FeatureTable table = swing_table();
   const Eigen::VectorXd direction = table.values.col(kDirection), velocity = table.values.col(kVelocity);
