@@ -76,7 +76,7 @@ class ShapeReading {
       const std::vector<ModelRow> models = store.models(pass.number);
       ProgressPoint best{0.0, kInfinity, kNotKnown, pass.number};
       for (std::size_t i = 0; i < models.size(); ++i) {
-        if (models[i].kind == EvaluationKind::full && models[i].score < best.score)
+        if (models[i].kind == ScoreKind::full && models[i].score < best.score)
           best = {0.0, models[i].score, distance_of(definition_.decode_model(models[i].genome)), pass.number};
         if (i + 1 < models.size() && models[i + 1].generation == models[i].generation) continue;
         best.generations = ++generations;

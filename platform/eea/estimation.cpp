@@ -19,23 +19,12 @@ namespace {
 
 constexpr double kWorst = std::numeric_limits<double>::infinity();
 
-EvaluationKind kind_of(ScoreKind kind) {
-  switch (kind) {
-    case ScoreKind::full: return EvaluationKind::full;
-    case ScoreKind::abandoned: return EvaluationKind::abandoned;
-    case ScoreKind::invalid: return EvaluationKind::invalid;
-  }
-  return EvaluationKind::invalid;
-}
-
 ModelScore score_of(const ModelRow& row) {
   ModelScore score;
-  score.total = row.kind == EvaluationKind::invalid ? kWorst : row.score;
+  score.total = row.kind == ScoreKind::invalid ? kWorst : row.score;
   for (const double of_trial : row.trial_scores)
     if (!std::isnan(of_trial)) score.trials.push_back(of_trial);  // a trial that is set aside has none
-  score.kind = row.kind == EvaluationKind::full        ? ScoreKind::full
-               : row.kind == EvaluationKind::abandoned ? ScoreKind::abandoned
-                                                       : ScoreKind::invalid;
+  score.kind = row.kind;
   score.reason = row.reason;
   return score;
 }
@@ -184,9 +173,9 @@ class Estimation {
     row.generation = search_->generation();
     row.parents = parents_of(individual, state_.search_begin);
     row.genome = individual.genome;
-    row.kind = kind_of(evaluated.score.kind);
+    row.kind = evaluated.score.kind;
     row.reused = evaluated.reused;
-    row.score = row.kind == EvaluationKind::invalid ? kNotKnown : evaluated.score.total;
+    row.score = row.kind == ScoreKind::invalid ? kNotKnown : evaluated.score.total;
     row.trial_scores = by_trial(state_, evaluated.score.trials);
     row.reason = std::move(evaluated.score.reason);
     if (!row.reason.empty()) last_reason_ = row.reason;

@@ -58,7 +58,7 @@ TEST(EeaLoop, TheBestModelIsTheBestOfItsPassAndItsTestTheBestTest) {
   for (const PassRow& pass : journal.passes) {
     double best = kInfinity, fittest = -kInfinity;
     for (const ModelRow& model : journal.models)
-      if (model.pass == pass.number && model.kind == EvaluationKind::full) best = std::min(best, model.score);
+      if (model.pass == pass.number && model.kind == ScoreKind::full) best = std::min(best, model.score);
     for (const TestRow& test : journal.tests)
       if (test.pass == pass.number && test.valid && std::isfinite(test.fitness))
         fittest = std::max(fittest, test.fitness);
@@ -90,10 +90,10 @@ TEST(EeaLoop, AbandoningAndReuseChangeNoSurvivor) {
   std::uint64_t abandoned = 0;
   for (std::size_t i = 0; i < a.models.size(); ++i) {
     EXPECT_TRUE(same(a.models[i].genome, b.models[i].genome)) << "model " << i;
-    if (a.models[i].kind == EvaluationKind::full) {
+    if (a.models[i].kind == ScoreKind::full) {
       EXPECT_TRUE(same(a.models[i].score, b.models[i].score));
     }
-    if (a.models[i].kind != EvaluationKind::abandoned) continue;
+    if (a.models[i].kind != ScoreKind::abandoned) continue;
     ++abandoned;
     EXPECT_LE(a.models[i].score, b.models[i].score);
   }
@@ -179,7 +179,7 @@ TEST(EeaLoop, ModelsThatCannotBeSimulatedAreCountedWithTheirReason) {
   const MemoryJournal journal = run(*opened);
   std::uint64_t invalid = 0;
   for (const ModelRow& model : journal.models) {
-    if (model.kind != EvaluationKind::invalid) continue;
+    if (model.kind != ScoreKind::invalid) continue;
     ++invalid;
     EXPECT_TRUE(std::isnan(model.score));
     EXPECT_FALSE(model.reason.empty());

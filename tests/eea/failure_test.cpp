@@ -173,7 +173,7 @@ TEST(Estimation, HandsOnModelsThatCanBeScored) {
   const auto bench = small_bench({"model.free={\"body.torso.mass\"=[1,7],\"body.torso.inertia.xy\"=[-1,1]}"});
   const MemoryJournal journal = run(*bench);
   const auto valid = std::count_if(journal.models.begin(), journal.models.end(), [](const ModelRow& model) {
-    return model.pass == 1 && model.generation == 0 && model.kind == EvaluationKind::full;
+    return model.pass == 1 && model.generation == 0 && model.kind == ScoreKind::full;
   });
   ASSERT_LT(valid, 6) << "the test needs fewer valid models than survive";
   std::size_t handed_on = 0;

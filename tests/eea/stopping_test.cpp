@@ -27,7 +27,7 @@ TEST(Challenge, ATrialThatIsTooHardIsSetAsideAndComesBack) {
   EXPECT_THAT(journal.passes[4].set_aside, ElementsAre(2, 3, 4));
   EXPECT_THAT(journal.passes[5].set_aside, ElementsAre(3, 4, 5)) << "after three passes at the latest it counts";
   for (const ModelRow& model : journal.models)
-    if (model.pass == 3 && model.kind == EvaluationKind::full) {
+    if (model.pass == 3 && model.kind == ScoreKind::full) {
       EXPECT_EQ(model.trial_scores.size(), 2U);
     }
 }

@@ -69,7 +69,7 @@ TEST_F(EeaStoreTest, ModelsOfAPassComeByNumberWithTheScoresOfItsTrials) {
   ASSERT_EQ(models.size(), 60U);
   for (std::size_t i = 0; i < models.size(); ++i) {
     EXPECT_EQ(models[i].number, 60 + i);
-    const std::size_t scored = models[i].kind == EvaluationKind::full ? 2 : models[i].reason.empty() ? 1 : 0;
+    const std::size_t scored = models[i].kind == ScoreKind::full ? 2 : models[i].reason.empty() ? 1 : 0;
     EXPECT_EQ(models[i].trial_scores.size(), scored) << i;
   }
   EXPECT_TRUE(small_.store->models(3).empty());

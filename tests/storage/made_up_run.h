@@ -68,10 +68,10 @@ struct MadeUpRun {
     }
     model.genome = {unit(random), -0.0};
     model.reused = index % 5 == 4;
-    if (index % 7 == 3) model.kind = EvaluationKind::abandoned;
-    const int scored = model.kind == EvaluationKind::abandoned ? 1 : pass;
+    if (index % 7 == 3) model.kind = ScoreKind::abandoned;
+    const int scored = model.kind == ScoreKind::abandoned ? 1 : pass;
     if (index % 9 == 8) {
-      model.kind = EvaluationKind::invalid;
+      model.kind = ScoreKind::invalid;
       model.reason = "the state is not finite at 0.31 s";
       return model;
     }

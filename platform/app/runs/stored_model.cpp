@@ -61,9 +61,9 @@ ModelScore score_again(const StoredModel& model) {
 
 bool agrees(const ModelRow& stored, const ModelScore& score) {
   switch (stored.kind) {
-    case EvaluationKind::invalid: return score.kind == ScoreKind::invalid;
-    case EvaluationKind::abandoned: return score.kind == ScoreKind::full && score.total >= stored.score;
-    case EvaluationKind::full: break;
+    case ScoreKind::invalid: return score.kind == ScoreKind::invalid;
+    case ScoreKind::abandoned: return score.kind == ScoreKind::full && score.total >= stored.score;
+    case ScoreKind::full: break;
   }
   const std::vector<double> trials = without_gaps(score.trials), then = without_gaps(stored.trial_scores);
   return score.kind == ScoreKind::full && same(score.total, stored.score) &&

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <lacuna/fitness_metric.h>
+#include "foundation/score_kind.h"
 #include "evaluation/scoring/candidate_simulator.h"
 #include "evaluation/model/component_choice.h"
 #include "evaluation/scoring/lag_profile.h"
@@ -14,12 +15,6 @@
 #include <vector>
 
 namespace lacuna {
-
-enum class ScoreKind : std::uint8_t {
-  full,
-  abandoned,  ///< the scores are lower bounds
-  invalid     ///< infinite; `reason` says why
-};
 
 /// The result of a model's evaluation.
 struct ModelScore {

@@ -7,18 +7,18 @@
 namespace lacuna {
 
 /// How enumerators of the algorithm stand in the database.
-inline const char* to_string(EvaluationKind kind) {
+inline const char* to_string(ScoreKind kind) {
   switch (kind) {
-    case EvaluationKind::full: return "full";
-    case EvaluationKind::abandoned: return "abandoned";
-    case EvaluationKind::invalid: return "invalid";
+    case ScoreKind::full: return "full";
+    case ScoreKind::abandoned: return "abandoned";
+    case ScoreKind::invalid: return "invalid";
   }
   return "";
 }
 
-inline EvaluationKind evaluation_kind_from(const std::string& text) {
-  if (text == "full") return EvaluationKind::full;
-  return text == "abandoned" ? EvaluationKind::abandoned : EvaluationKind::invalid;
+inline ScoreKind score_kind_from(const std::string& text) {
+  if (text == "full") return ScoreKind::full;
+  return text == "abandoned" ? ScoreKind::abandoned : ScoreKind::invalid;
 }
 
 /// The name of a trial that carried a test of the run out.

@@ -39,7 +39,7 @@ std::vector<ModelRow> models_between(const Database& database, std::int64_t firs
                       .generation = row.number(2),
                       .parents = {number_at(row, 3), number_at(row, 4)},
                       .genome = numbers_in(row.bytes(5)),
-                      .kind = evaluation_kind_from(row.text(6)),
+                      .kind = score_kind_from(row.text(6)),
                       .reused = row.flag(7),
                       .score = row.real(8),
                       .trial_scores = {},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/score_kind.h"
 #include "storage/core/records.h"
 
 #include <lacuna/genome.h>
@@ -15,12 +16,6 @@
 /// run; the key of a row is the run's number × 2^40 + that number (+ 1, since 0 is the run itself).
 namespace lacuna {
 
-enum class EvaluationKind : std::uint8_t {
-  full,       ///< every trial was scored to its end
-  abandoned,  ///< the score is a lower bound: the evaluation ended when it could not get under its generation's bar
-  invalid     ///< no score: NaN, explosion, an engine's error, a plugin's exception
-};
-
 /// A candidate model of one generation of an estimation phase.
 struct ModelRow {
   std::uint64_t number = 0;
@@ -28,7 +23,7 @@ struct ModelRow {
   int generation = 0;
   std::array<std::optional<std::uint64_t>, 2> parents = {};
   Genome genome = {};
-  EvaluationKind kind = EvaluationKind::full;
+  ScoreKind kind = ScoreKind::full;
   bool reused = false;                    ///< an identical model was evaluated before; its scores count
   double score = kNotKnown;               ///< of all trials so far together; −0.0 comes back as 0.0
   std::vector<double> trial_scores = {};  ///< of trial 0, 1 ... of this run as far as they were begun; the last of an
