@@ -20,7 +20,7 @@ std::string reason_against(const EffectDescription& description, const ModelDefi
                            const std::vector<Untestable>& tried) {
   if (!tried.empty()) return tried.front().reason;
   for (const EffectEntry& entry : base.effects)
-    if (entry.effect == name) return "the model already has it at every place";
+    if (entry.effect == name) return "the model already has this effect on every element on which it can act";
   std::vector<std::string> kinds;
   for (const ElementKind kind : description.placements) kinds.push_back(with_article(std::string(to_string(kind))));
   return fmt::format("it acts on {}; the robot has none", fmt::join(kinds, " or "));
@@ -29,14 +29,14 @@ std::string reason_against(const EffectDescription& description, const ModelDefi
 std::string objection(const std::string& name, const Experiment& experiment, const PluginCatalog& catalog,
                       const ModelDefinition& base) {
   if (name == kWrongValue)
-    return wrong_values(base).empty()
-               ? "--among wrong_value: the robot file has no fixed value that could be wrong; leave wrong_value out"
-               : "";
+    return wrong_values(base).empty() ? "--among wrong_value: the robot file has no fixed value that could be wrong; "
+                                        "remove wrong_value from --among"
+                                      : "";
   try {
     const EffectDescription description = catalog.get<PhysicalEffect>(name).describe();
     std::vector<Untestable> tried;
     if (!list_hypotheses(experiment, catalog, base, {name}, tried).empty()) return "";
-    return fmt::format("--among {}: the effect cannot be added to this model: {}; leave it out", name,
+    return fmt::format("--among {0}: the effect cannot be added to this model: {1}; remove {0} from --among", name,
                        reason_against(description, base, name, tried));
   } catch (const Error& error) {
     return fmt::format("--among {}: {}", name, error.what());

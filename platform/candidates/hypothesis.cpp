@@ -201,7 +201,7 @@ std::vector<double> Hypothesis::values(const std::vector<double>& of_base, const
 
 Untestable without_probes(const Hypothesis& hypothesis, const std::string& failure) {
   Untestable result{hypothesis.entry.effect, hypothesis.where(),
-                    "no value of it changes the predictions of these trials"};
+                    "none of its parameter values changes the predictions of these trials"};
   const std::vector<PlacedEffect>& effects = hypothesis.definition.structure.effects;
   const auto own = std::find_if(effects.begin(), effects.end(),
                                 [&](const PlacedEffect& placed) { return placed.id == hypothesis.placed.front().id; });

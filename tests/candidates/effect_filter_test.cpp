@@ -51,7 +51,7 @@ TEST(Among, NamesEveryEffectThatCannotBeAddedAndWhy) {
   EXPECT_THAT(text, testing::HasSubstr("--among coulomb_fiction: "));
   EXPECT_THAT(text, testing::HasSubstr("coulomb_friction"));  // what is meant
   EXPECT_THAT(text, testing::HasSubstr("--among viscous_friction: the effect cannot be added to this model: the model "
-                                       "already has it"));
+                                       "already has this effect"));
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("--among coulomb_friction")));
 }
 
