@@ -7,7 +7,7 @@
 namespace lacuna {
 
 std::vector<FreeValue> with_timing(std::vector<FreeValue> free, const TimingRange& range) {
-  free.push_back({.address = "timing", .unit = "1", .lower = range.earliest, .upper = range.latest, .start = 0.0});
+  free.push_back({{.address = "timing", .unit = "1", .lower = range.earliest, .upper = range.latest}});
   return free;
 }
 

@@ -40,8 +40,8 @@ std::string effect_readme(const std::string& name, const ForceLaw& law) {
   std::string table;
   std::vector<std::string> neutral;
   for (const LawParameter& p : law.parameters) {
-    table += fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {} |\n", p.name, unit_in_words(p.unit), p.start, p.lower,
-                         p.upper, p.description);
+    table += fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {} |\n", p.name, unit_in_words(p.unit), p.default_value,
+                         p.lower, p.upper, p.description);
     if (p.neutral == 0.0) neutral.push_back("`" + p.name + " = 0`");
   }
   return filled(kReadme, {{"COMMAND", law.uses_command ? ", and on its actuator's command u" : ""},

@@ -176,8 +176,8 @@ std::string declarations(const ForceLaw& law) {
   std::vector<std::string> all;
   for (const LawParameter& p : law.parameters)
     all.push_back(fmt::format("{{\"{}\", \"{}\", {}, {}, {}, Scale::{},\n                          \"{}\"}}", p.name,
-                              p.unit, literal(p.start), literal(p.lower), literal(p.upper),
-                              p.logarithmic ? "logarithmic" : "linear", p.description));
+                              p.unit, literal(p.default_value), literal(p.lower), literal(p.upper),
+                              p.scale == Scale::logarithmic ? "logarithmic" : "linear", p.description));
   return joined(all, ",\n                         ");
 }
 

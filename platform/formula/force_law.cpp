@@ -136,10 +136,12 @@ class LawBuilder {
   }
   static LawParameter multiplier(const std::string& name, double start, const Expression& of) {
     const double reach = rounded(kReach * std::abs(start));
-    return {name,  unit_of_factor(dimension_of(of)),
-            start, -reach,
-            reach, 0.0,
-            false, of.is_number() ? "A constant force" : "Coefficient of " + formula_text(of)};
+    return {{.name = name,
+             .unit = unit_of_factor(dimension_of(of)),
+             .default_value = start,
+             .lower = -reach,
+             .upper = reach,
+             .description = of.is_number() ? "A constant force" : "Coefficient of " + formula_text(of)}};
   }
 
   void add_term(const RawTerm& raw, std::size_t count, ForceLaw& law) {
@@ -202,11 +204,16 @@ class LawBuilder {
     walk(rest, [&](const Expression& e) {
       if (e.kind != Kind::parameter || declared(law, e.name)) return;
       const double start = values_.at(e.name), reach = rounded(kReach * std::abs(start));
-      LawParameter parameter{e.name, units_.emplace(e.name, "1").first->second, start, -reach, reach, start,
-                             false,  "A scale inside " + formula_text(rest)};
+      LawParameter parameter{{.name = e.name,
+                              .unit = units_.emplace(e.name, "1").first->second,
+                              .default_value = start,
+                              .lower = -reach,
+                              .upper = reach,
+                              .description = "A scale inside " + formula_text(rest)},
+                             start};
       if (roles_.all().at(e.name) == Role::scale) {
         parameter.lower = rounded(start / kReach);
-        parameter.logarithmic = true;
+        parameter.scale = Scale::logarithmic;  // it keeps its sign
       } else if (roles_.all().at(e.name) == Role::summand) {
         parameter.description = "A shift inside " + formula_text(rest);
       } else {  // the second of two names that multiply a term

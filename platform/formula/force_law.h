@@ -1,5 +1,7 @@
 #pragma once
 
+#include <lacuna/parameter.h>
+
 #include "formula/expression.h"
 
 #include <map>
@@ -8,14 +10,9 @@
 
 namespace lacuna {
 
-/// A number of a force law that a fit may change.
-struct LawParameter {
-  std::string name;
-  std::string unit;  ///< in placeholders of effects: {force}, {position}, {command} (lacuna/physical_effect.h)
-  double start = 0.0, lower = 0.0, upper = 0.0;
-  double neutral = 0.0;      ///< value at which, with all parameters at theirs, the law is zero
-  bool logarithmic = false;  ///< it scales something and must keep its sign
-  std::string description;
+/// A number of a force law that a fit may change. Units in placeholders of effects (lacuna/physical_effect.h).
+struct LawParameter : ParameterDeclaration {
+  double neutral = 0.0;  ///< value at which, with all parameters at theirs, the law is zero
 };
 
 /// A summand of a force law.

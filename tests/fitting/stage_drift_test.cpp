@@ -25,7 +25,7 @@ std::vector<FitStage> stages(double over_half_a_second) {
   return {segments, whole};
 }
 
-const std::vector<FreeValue> kMass = {{.address = "body.arm.mass", .unit = "kg", .lower = 0.0, .upper = 50.0}};
+const std::vector<FreeValue> kMass = {{{.address = "body.arm.mass", .unit = "kg", .lower = 0.0, .upper = 50.0}}};
 
 TEST(DriftSentences, NameAValueThatMovesWithTheLengthOfSegments) {
   EXPECT_THAT(

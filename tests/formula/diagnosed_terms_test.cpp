@@ -42,7 +42,7 @@ void expect_every_term_read(JointKind kind, const std::string& position_unit, co
     SCOPED_TRACE(term.text);
     const ForceLaw law = read_force_law("-0.0105*" + term.text, {});
     ASSERT_EQ(law.parameters.size(), 1U);
-    EXPECT_EQ(law.parameters[0].start, -0.0105);
+    EXPECT_EQ(law.parameters[0].default_value, -0.0105);
     if (term.unit.find('.') != std::string::npos) continue;  // a root has no unit of its own
     const Unit whole = unit_on(robot_of(kind), law.parameters[0].unit);
     const std::optional<Unit> expected = parse_unit(force_unit + "/(" + term.unit + ")");

@@ -28,7 +28,7 @@ TEST(ForceLaw, EachTermsNumberIsAParameterThatStartsThere) {
   const std::vector<double> starts = {-0.02, -0.1, 0.05, 1.5};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const LawParameter& parameter = law.parameters[i];
-    EXPECT_DOUBLE_EQ(parameter.start, starts[i]);
+    EXPECT_DOUBLE_EQ(parameter.default_value, starts[i]);
     EXPECT_DOUBLE_EQ(parameter.upper, 100.0 * std::abs(starts[i]));
     EXPECT_DOUBLE_EQ(parameter.lower, -parameter.upper);
     EXPECT_EQ(parameter.neutral, 0.0);
@@ -75,9 +75,9 @@ TEST(ForceLaw, NamesOfItsOwnAreParametersToo) {
                                       {{"b", 0.02}, {"c", 0.1}, {"w", 0.05}, {"rest", -0.4}});
   EXPECT_THAT(names(law), ElementsAre("b", "c", "term_3", "w", "rest"));
   EXPECT_EQ(law.equation(), "-b*v - c*(1 + exp(-(v/w)^2))*sgn(v) + term_3*(q - rest)");
-  EXPECT_EQ(law.parameters[0].start, 0.02);
+  EXPECT_EQ(law.parameters[0].default_value, 0.02);
   const LawParameter& w = law.parameters[3];
-  EXPECT_TRUE(w.logarithmic);
+  EXPECT_EQ(w.scale, Scale::logarithmic);
   EXPECT_EQ(w.unit, "{position}/s");
   EXPECT_EQ(w.neutral, 0.05);
   EXPECT_GT(w.lower, 0.0);
@@ -97,7 +97,7 @@ TEST(ForceLaw, BoundsHaveFewDigits) {
   EXPECT_EQ(law.parameters[0].lower, -14.4);  // 100 * 0.144 is 14.399999999999999
   EXPECT_EQ(law.parameters[1].lower, 0.00123);
   EXPECT_EQ(law.parameters[1].upper, 12.3);
-  EXPECT_EQ(law.parameters[1].start, 0.123456);
+  EXPECT_EQ(law.parameters[1].default_value, 0.123456);
 }
 
 TEST(ForceLaw, ItsTextStandsOnOneLine) { EXPECT_EQ(read_force_law("-0.1*v\n\t*q\r", {}).text, "-0.1*v  *q "); }
@@ -105,10 +105,10 @@ TEST(ForceLaw, ItsTextStandsOnOneLine) { EXPECT_EQ(read_force_law("-0.1*v\n\t*q\
 TEST(ForceLaw, ThePrecedenceOfSignsIsThatOfArithmetic) {
   const auto text = [](const char* formula) { return read_force_law(formula, {}).equation(); };
   EXPECT_EQ(text("-q^2"), "c_q2*q^2");
-  EXPECT_EQ(read_force_law("-q^2", {}).parameters[0].start, -1.0);
-  EXPECT_EQ(read_force_law("2^3^2*q", {}).parameters[0].start, 512.0);
-  EXPECT_EQ(read_force_law("8/4/2*q", {}).parameters[0].start, 1.0);
-  EXPECT_EQ(read_force_law("q - (0.1*v - 2)", {}).parameters[1].start, -0.1);
+  EXPECT_EQ(read_force_law("-q^2", {}).parameters[0].default_value, -1.0);
+  EXPECT_EQ(read_force_law("2^3^2*q", {}).parameters[0].default_value, 512.0);
+  EXPECT_EQ(read_force_law("8/4/2*q", {}).parameters[0].default_value, 1.0);
+  EXPECT_EQ(read_force_law("q - (0.1*v - 2)", {}).parameters[1].default_value, -0.1);
   EXPECT_EQ(text("sin(-(q - 2)*3)"), "term_1*sin(-(q - 2)*3)");
   EXPECT_EQ(text("cos(q/(2*(1 + abs(v))))"), "term_1*cos(q/(2*(1 + abs(v))))");
 }

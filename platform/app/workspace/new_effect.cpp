@@ -66,8 +66,8 @@ void print_law(const std::string& folder, const ForceLaw& law) {
     unit = std::max(unit, unit_in_words(p.unit).size());
   }
   for (const LawParameter& p : law.parameters)
-    fmt::print("  {:<{}}  {:<10g}  {:<{}}  within {:g} to {:g}\n", p.name, name, p.start, unit_in_words(p.unit), unit,
-               p.lower, p.upper);
+    fmt::print("  {:<{}}  {:<10g}  {:<{}}  within {:g} to {:g}\n", p.name, name, p.default_value, unit_in_words(p.unit),
+               unit, p.lower, p.upper);
   for (const std::string& note : law.notes) fmt::print("note: {}\n", note);
 }
 

@@ -19,13 +19,6 @@ namespace {
 
 constexpr int kStructureDraws = 100;
 
-std::vector<FreeParameter> free_parameters(const ModelDefinition& model) {
-  std::vector<FreeParameter> free;
-  for (const FreeValue& value : model.free)
-    free.push_back({value.address, value.unit, value.lower, value.upper, value.start, value.scale});
-  return free;
-}
-
 /// The first seconds of the series.
 TimeSeries until(TimeSeries series, double seconds) {
   constexpr double kRounding = 1e-9;  // s
@@ -43,7 +36,7 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
     : model(std::move(of_model)),
       phenotypes(model),
       compiled(compile(model.structure, model.engine)),
-      model_space{model.structure.robot, free_parameters(model), model_effects(model)},
+      model_space{model.structure.robot, {model.free.begin(), model.free.end()}, model_effects(model)},
       gene_space(model_space),
       passes(takes_tests ? experiment.passes : 1),
       seeds(experiment.estimation.seeds),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <lacuna/parameter.h>
+
 #include "config/schema/experiment.h"
 #include "loading/plugin_catalog.h"
 #include "simulation/compiled_model.h"
@@ -11,13 +13,7 @@
 namespace lacuna {
 
 /// A value that a fit may change.
-struct FreeValue {
-  std::string address;  ///< `body.arm.mass`, `effect.friction.torque`; of a single setup: `body.load.mass@heavy`
-  std::string unit;
-  double lower = 0.0;
-  double upper = 0.0;
-  double start = 0.0;
-  Scale scale = Scale::linear;
+struct FreeValue : FreeParameter {
   std::string description = {};
   /// The robot's value, where no file gives a start and that value lies outside the bounds; `start` is the nearest
   /// bound.

@@ -102,13 +102,11 @@ std::optional<std::string> set_by(const ModelSection& section, const std::string
 FreeValue free_value(const AddressedValue& value, const FreeRange& range, const SystemSource& source,
                      Complaints& complaints) {
   const double start = range.start.value_or(*value.value);
-  FreeValue free{.address = value.address,
-                 .unit = value.unit,
-                 .lower = range.lower,
-                 .upper = range.upper,
-                 .start = std::clamp(start, range.lower, range.upper),
-                 .scale = Scale::linear,
-                 .description = ""};
+  FreeValue free{{.address = value.address,
+                  .unit = value.unit,
+                  .lower = range.lower,
+                  .upper = range.upper,
+                  .start = std::clamp(start, range.lower, range.upper)}};
   if (source.free != "free" || is_within(start, range)) return free;
   const std::string bounds = source.key + "." + source.free + "." + range.pattern;
   const std::string beyond = fmt::format(

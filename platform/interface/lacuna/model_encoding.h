@@ -12,16 +12,6 @@
 
 namespace lacuna {
 
-/// One number of a model that may vary, within its search bounds.
-struct FreeParameter {
-  std::string address;  ///< `body.torso.mass`
-  std::string unit;     ///< SI
-  double lower = 0.0;
-  double upper = 0.0;
-  double start = 0.0;  ///< default value
-  Scale scale = Scale::linear;
-};
-
 /// An effect of the experiment's model.
 struct ModelEffect {
   std::string id;

@@ -23,4 +23,14 @@ struct ParameterDeclaration {
 
 using ParameterDeclarations = std::vector<ParameterDeclaration>;
 
+/// One number of a model that may vary, within its search bounds.
+struct FreeParameter {
+  std::string address;  ///< `body.torso.mass`, `effect.friction.torque`; of a single setup: `body.load.mass@heavy`
+  std::string unit;     ///< SI
+  double lower = 0.0;
+  double upper = 0.0;
+  double start = 0.0;  ///< default value
+  Scale scale = Scale::linear;
+};
+
 }  // namespace lacuna
