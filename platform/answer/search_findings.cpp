@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace lacuna {
 namespace {
@@ -129,6 +131,7 @@ class Told {
         add("only the longest predictions show the effect; shorter ones are as good without it");
     }
     add(left(result));
+    add(idle());
     if (result.verdict == Verdict::nothing_missing && result.base_times_floor > kAboveFloor)
       add(
           fmt::format("predictions are off by {:.3g} × floor, more than sensor noise explains. No effect of the "
@@ -177,6 +180,16 @@ class Told {
         has_another_form(result) ? ", as the answer does, so the answer's law probably has another form" : "";
     return fmt::format("an unexplained force remains on {}, {:.0f} % of the total gain; it depends on {}{}", where,
                        100.0 * law_.share, law_.kind, form);
+  }
+
+  /// Effects that are no part of the answer because their intervals include values without effect.
+  std::string idle() const {
+    const std::set<std::string>& names = found_.decision.idle;
+    if (names.empty()) return "";
+    return fmt::format(
+        "{} beside the answer lowers the error further, but the 95 % interval of its value includes the value without "
+        "effect, so it may be no effect; record longer, or a motion that shows it more",
+        fmt::join(names, " or "));
   }
 
   /// Whether the remaining force depends on the same quantity over which the answer explains most of the missing force.

@@ -28,7 +28,7 @@ constexpr std::uint64_t kSeed = 1;      ///< of the random signs
 class EffectSearch {
  public:
   EffectSearch(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept)
-      : data_(data), models_(data, ladder, kept), sets_(models_) {}
+      : data_(data), models_(data, ladder, kept), sets_(models_, look_) {}
 
   void run() {
     say("the model as it is");
@@ -305,7 +305,7 @@ void conclude(const EffectSearch& search, SearchResult& result) {
   const FittedModels& models = search.models();
   result.layout = models.ladder().layout;
   result.sets.clear();
-  const FittedSets sets(models);
+  const FittedSets sets(models, search.look());
   for (const FittedModel* set : sets.candidates()) {
     result.sets.push_back(*set);
     result.sets.back().model.added = set->model.placed;

@@ -1,6 +1,7 @@
 #include "search/fitted_sets.h"
 
 #include "search/promise_order.h"
+#include "search/acting_members.h"
 
 #include <algorithm>
 
@@ -26,7 +27,10 @@ std::vector<const FittedModel*> FittedSets::candidates() const {
 
 std::vector<CandidateSet> FittedSets::judged() const {
   std::vector<CandidateSet> sets;
-  for (const FittedModel* set : candidates()) sets.push_back(set->judged);
+  for (const FittedModel* set : candidates()) {
+    sets.push_back(set->judged);
+    sets.back().idle = idle_members(*set, models_.ladder().layout, look_);
+  }
   return sets;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "search/effect_look.h"
 #include "search/fitted_models.h"
 
 #include <vector>
@@ -20,8 +21,8 @@ bool is_twice(const Entries& added, const RobotSpec& robot);
 /// The sets that a search has fitted so far, in order and compared. Pointers last until the set is fitted again.
 class FittedSets {
  public:
-  /// `models` must outlive this and may grow.
-  explicit FittedSets(const FittedModels& models) : models_(models) {}
+  /// `models` and `look`, at the library beside the model as it is, must outlive this; both may grow.
+  FittedSets(const FittedModels& models, const EffectLook& look) : models_(models), look_(look) {}
 
   /// The model as it is first, then the sets of at most three members.
   std::vector<const FittedModel*> candidates() const;
@@ -40,6 +41,7 @@ class FittedSets {
 
  private:
   const FittedModels& models_;
+  const EffectLook& look_;
 };
 
 }  // namespace lacuna

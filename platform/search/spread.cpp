@@ -1,10 +1,9 @@
 #include "search/spread.h"
 
-#include "foundation/statistics.h"
 #include "candidates/wrong_value.h"
 #include "criterion/evidence.h"
-#include "criterion/value_errors.h"
 #include "search/fit_starts.h"
+#include "search/acting_members.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTold = kWithin95;        ///< standard errors
 constexpr std::uint64_t kSeedOfSigns = 1;  ///< of signs drawn at random
 constexpr const char* kOfEach = ".*";
 constexpr int kRounds = 4;             ///< of fits
@@ -64,34 +62,6 @@ SpreadSet spread_set(const FittedModel& answer, const EffectLook& look) {
   return set;
 }
 
-const Hypothesis& hypothesis_of(const EffectEntry& entry, const EffectLook& look) {
-  return *std::find_if(look.hypotheses.begin(), look.hypotheses.end(),
-                       [&](const Hypothesis& one) { return member_name(one.entry) == member_name(entry); });
-}
-
-/// Whether a value of the effect differs significantly from neutral.
-bool is_told(const EffectEntry& entry, const FittedModel& set, const FittedModels& models, const EffectLook& look) {
-  const CellLayout& layout = models.ladder().layout;
-  const Eigen::VectorXd errors =
-      value_errors(layout, set.fit.products, least_cost(layout, set.fit.products, set.fit.bounds)).standard();
-  const Hypothesis& hypothesis = hypothesis_of(entry, look);
-  const ParameterSpace space(set.model.definition.free);
-  for (std::size_t i = 0; i < set.model.definition.free.size(); ++i) {
-    const FreeValue& free = set.model.definition.free[i];
-    const EffectEntry& own =
-        *std::find_if(set.model.placed.begin(), set.model.placed.end(),
-                      [&](const EffectEntry& one) { return member_name(one) == member_name(entry); });
-    if (!belongs_to(free, own)) continue;
-    for (std::size_t k = 0; k < hypothesis.own.size(); ++k) {
-      if (last_name(hypothesis.definition.free[hypothesis.own[k]].address) != last_name(free.address)) continue;
-      const auto j = static_cast<Eigen::Index>(i);
-      const double way = set.fit.point.values(j) - space.to_coordinate(j, hypothesis.neutral[k]);
-      if (errors(j) > 0.0 && std::abs(way) > kTold * errors(j)) return true;
-    }
-  }
-  return false;
-}
-
 /// Repeats while that lowers the cost.
 const FittedModel* refined(FittedModels& models, const std::vector<EffectEntry>& entries, const NamedValues& start) {
   const FittedModel* set = models.refine(entries, start);
@@ -125,7 +95,7 @@ std::optional<FittedModel> spread_over_places(FittedModels& models, const Effect
   if (!set) return std::nullopt;
   std::vector<EffectEntry> told;
   std::copy_if(all.entries.begin(), all.entries.end(), std::back_inserter(told),
-               [&](const EffectEntry& entry) { return is_told(entry, *set, models, look); });
+               [&](const EffectEntry& entry) { return acts(entry, *set, models.ladder().layout, look); });
   if (told.empty()) return std::nullopt;
   if (is_spread && told.size() == all.entries.size()) return std::nullopt;
   if (told.size() < all.entries.size()) set = refined(models, told, NamedValues(set->values));

@@ -51,6 +51,27 @@ TEST(Decision, AddsASecondEffectThatEarnsItsShare) {
   EXPECT_EQ(decide(little, {}, 1).answer, 1U);
 }
 
+/// The interval of its size holds the value at which it does nothing.
+TEST(Decision, LeavesOutAnEffectThatMayDoNothing) {
+  std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"c"}, 1.2, 1, 4),
+                                 set_of({"a", "b"}, 1.5, 2, 3)};
+  EXPECT_EQ(decide(sets, {}, 1).answer, 3U);
+  sets[3].idle = {"b"};
+  EXPECT_EQ(decide(sets, {}, 1).answer, 1U) << "the rest of what gains most, not another effect";
+  EXPECT_EQ(decide(sets, {}, 1).best, 3U);
+  EXPECT_EQ(decide(sets, {}, 1).idle, std::set<std::string>{"b"});
+}
+
+TEST(Decision, NamesNoEffectThatMayDoNothingByItself) {
+  std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"c"}, 0.8, 1, 4)};
+  const double p = decide(sets, {}, 1).p;
+  sets[1].idle = {"a"};
+  EXPECT_EQ(decide(sets, {}, 1).answer, 2U);
+  sets[2].idle = {"c"};
+  EXPECT_EQ(decide(sets, {}, 1).answer, 0U);
+  EXPECT_EQ(decide(sets, {}, 1).p, p) << "chance had these sets to choose from";
+}
+
 /// The root of what is left falls from 1 to 0.2 by the first effect, by 0.12 more by the second.
 TEST(Decision, NamesNothingBesideAnAnswerThatTakesLessThanAFifthOfTheError) {
   const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.6, 1, 1), set_of({"a", "b"}, 1.8, 2, 2)};
