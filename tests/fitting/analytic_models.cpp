@@ -118,8 +118,10 @@ Trial record(const CompiledModel& model, const std::vector<double>& values, cons
   trial.commands = commands;
   trial.measured = result.readings;
   SeededNoise random(seed, 1);
-  for (Eigen::Index row = 0; row < times.size(); ++row) trial.measured.samples(row, 0) += noise * random.normal();
-  trial.sensor_noise = {noise > 0.0 ? noise : std::numeric_limits<double>::quiet_NaN()};
+  for (auto reading : trial.measured.samples.rowwise())
+    for (double& one : reading) one += noise * random.normal();
+  trial.sensor_noise.assign(trial.measured.channels.size(),
+                            noise > 0.0 ? noise : std::numeric_limits<double>::quiet_NaN());
   return trial;
 }
 

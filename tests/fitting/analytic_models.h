@@ -64,7 +64,7 @@ FreeValue free_value(std::string address, double start, double lower, double upp
 /// Times k/rate for k below `samples`.
 Eigen::VectorXd regular_times(Eigen::Index samples, double rate);
 
-/// What the model reads, with white noise added; commands (one channel "motor") as given.
+/// What the model reads, with white noise added to every channel; commands as given.
 Trial record(const CompiledModel& model, const std::vector<double>& values, const Eigen::VectorXd& times,
              const CommandSeries& commands, const StartState& start, double noise, std::uint64_t seed);
 

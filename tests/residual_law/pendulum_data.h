@@ -5,7 +5,9 @@
 #include "plugins/built_catalog.h"
 #include "search/fitted_models.h"
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace lacuna {
@@ -14,10 +16,17 @@ namespace lacuna {
 /// 90°. Its mass, armature and damping (0 to 0.2 N·m·s/rad) are free.
 inline constexpr double kModelInertia = 0.030;  // kg·m²
 
+/// What a search is asked beside the recordings; see `EffectSearchTask`.
+struct PendulumTask {
+  std::vector<std::string> among = {};
+  const KeptFits* known = nullptr;
+  std::function<void(const KeptFits&)> keep = {};
+};
+
 /// Recordings of it as a search sees them, without a search.
 class PendulumData {
  public:
-  explicit PendulumData(std::vector<Trial> recordings)
+  explicit PendulumData(std::vector<Trial> recordings, const PendulumTask& task = {})
       : experiment_(read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml")),
         trials_(std::move(recordings)) {
     experiment_.noise = {};
@@ -26,7 +35,10 @@ class PendulumData {
         EffectSearchTask{.experiment = experiment_,
                          .catalog = built_catalog(),
                          .trials = trials_,
-                         .values = define_model(experiment_, built_catalog()).start_values()});
+                         .values = define_model(experiment_, built_catalog()).start_values(),
+                         .among = task.among,
+                         .known = task.known,
+                         .keep = task.keep});
   }
   PendulumData(const PendulumData&) = delete;
   PendulumData& operator=(const PendulumData&) = delete;

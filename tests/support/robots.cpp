@@ -83,6 +83,29 @@ RobotSpec double_pendulum(double mass, double length, double inertia) {
   return robot;
 }
 
+RobotSpec driven_chain(std::size_t links) {
+  constexpr double kLink = 0.2;  // m
+  RobotSpec robot;
+  robot.name = "chain";
+  robot.gravity = {0.0, 0.0, -kGravity};
+  for (std::size_t i = 1; i <= links; ++i) {
+    const std::string number = std::to_string(i);
+    BodySpec link = plain_body("link" + number, 0.5, 0.005);
+    link.position = {0.0, 0.0, -kLink * static_cast<double>(i - 1)};
+    link.com = {0.0, 0.0, -0.5 * kLink};
+    JointSpec hinge = make_joint("j" + number, JointKind::hinge, i == 1 ? kWorld : robot.bodies.back().name, link.name);
+    hinge.anchor = link.position;
+    ActuatorSpec motor;
+    motor.name = "m" + number;
+    motor.joint = hinge.name;
+    robot.sensors.push_back(make_sensor("q" + number, SensorKind::joint_position, hinge.name));
+    robot.bodies.push_back(std::move(link));
+    robot.joints.push_back(std::move(hinge));
+    robot.actuators.push_back(std::move(motor));
+  }
+  return robot;
+}
+
 RobotSpec floating_body(double mass, const InertiaSpec& inertia) {
   RobotSpec robot;
   robot.name = "floating_body";

@@ -28,6 +28,10 @@ double pendulum_rate(double mass, double length, double inertia);
 /// Two such links in a row, hinges `upper` and `lower` about y, sensors `q1`, `v1`, `q2`, `v2`; q2 is relative to q1.
 RobotSpec double_pendulum(double mass, double length, double inertia);
 
+/// Links of 0.5 kg and 0.2 m that hang one below the other on hinges `j1`, `j2`, ... about y, each with a motor `m1`,
+/// ... and an encoder `q1`, ...
+RobotSpec driven_chain(std::size_t links);
+
 /// A body `body` that floats, with sensors `position`, `velocity`, `orientation`, `spin` of it.
 RobotSpec floating_body(double mass, const InertiaSpec& inertia);
 
