@@ -1,14 +1,11 @@
 #include "experiment_design/next_test.h"
 
-#include "config/experiment_reader.h"
+#include "experiment_design/rival_pendulum.h"
 #include "experiment_design/rival_predictor.h"
 #include "experiment_design/test_judge.h"
 #include "experiment_design/test_line.h"
-#include "evaluation/prediction/test_space.h"
 #include "fitting/shooting/parameter_space.h"
-#include "plugins/built_catalog.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -16,49 +13,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNoise = 1e-3;  // rad
-constexpr double kLimit = 0.6;   // N·m
-
-/// The servo pendulum with an amplifier of little torque, and an effect.
-struct Pendulum {
-  explicit Pendulum(const std::string& effects) {
-    const std::string text = fmt::format(R"([experiment]
-name = "rivals"
-[target]
-kind = "recorded"
-files = ["data/servo_pendulum/sine.csv"]
-time = {{ column = "t_s" }}
-sensors = {{ angle = {{ column = "angle_deg", unit = "deg" }} }}
-commands = {{ motor = {{ column = "torque_Nm", unit = "N*m" }} }}
-[model]
-file = "robots/servo-pendulum.toml"
-set = {{ "actuator.motor.force_limit" = {} }}
-free = {{ "body.arm.mass" = [0.3, 1.0], "joint.hinge.damping" = [0.0, 0.2] }}
-effects = [{}]
-[engine]
-step = "5 ms"
-)",
-                                         kLimit, effects);
-    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/rivals.toml");
-    definition = define_model(experiment, built_catalog());
-    model = compile(definition.structure, definition.engine);
-    values = definition.start_values();
-  }
-  /// Deviations of the values; 0: held.
-  RivalModel rival(const std::string& name, const std::vector<double>& deviations) const {
-    const Eigen::Map<const Eigen::VectorXd> all(deviations.data(), static_cast<Eigen::Index>(deviations.size()));
-    return {name, definition, *model, values, all.cwiseAbs2().asDiagonal()};
-  }
-  Experiment experiment;
-  ModelDefinition definition;
-  std::unique_ptr<CompiledModel> model;
-  std::vector<double> values;
-};
-
 NextTestTask task_of(const Pendulum& pendulum, std::vector<RivalModel> rivals) {
   return {.catalog = built_catalog(),
           .rivals = std::move(rivals),
-          .noise = {{"angle", "rad", kNoise, "declared"}},
+          .noise = {{"angle", "rad", kRivalNoise, "declared"}},
           .space = test_space(pendulum.definition.structure.robot, pendulum.definition.engine, 4.0),
           .start = {},
           .start_deviation = {}};
@@ -150,7 +108,7 @@ struct Scan {
     std::uint64_t steps = 0;
     std::string reason;
     EXPECT_TRUE(predictor.predict({{values.begin(), values.end()}}, test, 0, prediction, steps, reason)) << reason;
-    return prediction.sensors.samples.col(0) / kNoise;
+    return prediction.sensors.samples.col(0) / kRivalNoise;
   }
   /// Nats when only `free` of the rival's values can move, with that deviation: by golden section.
   double nats(const Pendulum& truth, const Pendulum& rival, std::size_t free, double deviation) const {
@@ -191,7 +149,7 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
   const Pendulum pendulum("");
   const RivalModel rival = pendulum.rival("rigid", {1e-4, 1e-9});
   const std::vector<double> times = {0.0, 0.5, 1.0, 1.5};
-  const RivalPredictor predictor(rival, times, {0}, {kNoise}, {1e-4, 0.0}, 1);
+  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {1e-4, 0.0}, 1);
   lacuna::Test test;
   test.duration = 1.5;
   CommandSeries commands;
@@ -208,7 +166,7 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
     lacuna::Test moved = test;
     moved.start = {{start}, {0.0}};
     EXPECT_TRUE(plain.predict({{mass, pendulum.values[1]}}, moved, 0, seen, steps, reason)) << reason;
-    return Eigen::VectorXd(seen.sensors.samples.col(0) / kNoise);
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kRivalNoise);
   };
   const double mass = pendulum.values[0];
   const Eigen::VectorXd by_mass = 0.5 * (read(mass + 1e-4, 0.0) - read(mass - 1e-4, 0.0));
@@ -227,7 +185,7 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
   rival.command_shift = kShift;
   for (const Eigen::Index held : {0, 1}) rival.covariance(held, held) = 1e-20;
   const std::vector<double> times = {0.5, 1.0, 1.5};
-  const RivalPredictor predictor(rival, times, {0}, {kNoise}, {}, 1);
+  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {}, 1);
   lacuna::Test test;
   test.duration = 1.5;
   CommandSeries commands;
@@ -243,7 +201,7 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
     lacuna::Test moved = test;
     std::get<CommandSeries>(moved.drive).series.times.array() += delay;
     EXPECT_TRUE(plain.predict({pendulum.values}, moved, 0, seen, steps, reason)) << reason;
-    return Eigen::VectorXd(seen.sensors.samples.col(0) / kNoise);
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kRivalNoise);
   };
   EXPECT_LT((prediction.readings - read(kShift * kInterval)).norm(), 1e-6 * prediction.readings.norm());
   const double later = kShift + 0.5 * kDeviation;
@@ -253,58 +211,6 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
   ASSERT_GT(by_delay.norm(), 1.0);
   EXPECT_LT((prediction.follows.col(widest).cwiseAbs() - by_delay.cwiseAbs()).norm(), 0.02 * by_delay.norm());
 }
-
-/// The pendulum recorded with a light weight and a heavy one, and one that nobody weighed.
-struct PendulumWithLoads {
-  explicit PendulumWithLoads(double heavy) {
-    const std::string text = fmt::format(R"([experiment]
-name = "loads"
-[target]
-kind = "recorded"
-time = {{ column = "t_s" }}
-sensors = {{ angle = {{ column = "angle_deg", unit = "deg" }} }}
-commands = {{ motor = {{ column = "torque_Nm", unit = "N*m" }} }}
-[[target.recording]]
-file = "data/servo_pendulum/sine.csv"
-set = {{ "body.arm.mass" = "0.4 kg" }}
-[[target.recording]]
-file = "data/servo_pendulum/steps.csv"
-own = ["body.arm.mass"]
-[model]
-file = "robots/servo-pendulum.toml"
-set = {{ "actuator.motor.force_limit" = {} }}
-free = {{ "body.arm.mass" = [0.3, 1.0], "joint.hinge.damping" = [0.0, 0.2] }}
-[engine]
-step = "5 ms"
-)",
-                                         kLimit);
-    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/loads.toml");
-    definition = define_model(experiment, built_catalog());
-    model = compile(definition.structure, definition.engine);
-    values = definition.start_values();
-    values.back() = heavy;
-    setups = known_setups(definition, experiment.target.recording);
-  }
-  RivalModel rival(const std::string& name) const {
-    const auto size = static_cast<Eigen::Index>(values.size());
-    return {name, definition, *model, values, Eigen::MatrixXd::Identity(size, size) * 1e-18};
-  }
-  NextTestTask against(const PendulumWithLoads& other) const {
-    return {.catalog = built_catalog(),
-            .rivals = {rival("one"), other.rival("other")},
-            .noise = {{"angle", "rad", kNoise, "declared"}},
-            .space = test_space(definition.structure.robot, definition.engine, 4.0),
-            .start = {},
-            .start_deviation = {},
-            .setups = setups,
-            .evaluations = 20};
-  }
-  Experiment experiment;
-  ModelDefinition definition;
-  std::unique_ptr<CompiledModel> model;
-  std::vector<double> values;
-  std::vector<KnownSetup> setups;
-};
 
 /// The rivals differ in nothing but the weight that nobody weighed, so that only tests with it tell them apart.
 TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
@@ -368,7 +274,7 @@ TEST(NextTest, SaysWhatItCannotTellApart) {
   trial.commands.series.samples << 0.1, 0.4, -0.2;
   limit_to_trials(task.space, {trial});
   EXPECT_EQ(task.space.upper[0], 0.4) << "the largest command so far";
-  EXPECT_EQ(task.space.lower[0], -kLimit) << "a declared limit stays";
+  EXPECT_EQ(task.space.lower[0], -kRivalLimit) << "a declared limit stays";
 }
 
 }  // namespace
