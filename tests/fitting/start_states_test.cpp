@@ -165,6 +165,18 @@ TEST(Thinned, KeepsSegmentsFromAllOverTheTrial) {
   EXPECT_EQ(thinned(all, 100).size(), 20u);
 }
 
+TEST(SameStarts, AreThoseThatDifferByLessThanATenthOfTheirDeviations) {
+  const Fixture f(falling(1e-3));
+  const std::vector<Segment> all = make_segments(f.predictor, f.states, 0.5, {});
+  std::vector<Segment> other = all;
+  EXPECT_TRUE(same_starts(all, other));
+  other[2].start.velocities[0] += 0.05 * other[2].deviation(1);
+  EXPECT_TRUE(same_starts(all, other));
+  other[2].start.velocities[0] += 0.1 * other[2].deviation(1);
+  EXPECT_FALSE(same_starts(all, other));
+  EXPECT_FALSE(same_starts(all, {all[0], all[1]}));
+}
+
 TEST(MakeSegments, LeavesOutWhatTellsNothing) {
   Trial trial = falling(1e-3);
   trial.measured.samples.middleRows(100, 100).setConstant(std::nan(""));

@@ -1,11 +1,10 @@
 #include "fitting/substeps.h"
 
 #include "evaluation/prediction/trial_predictor.h"
-#include "fitting/analytic_models.h"
 #include "fitting/comparison.h"
 #include "fitting/cross_check.h"
 #include "fitting/fit.h"
-#include "support/robots.h"
+#include "fitting/sprung_flywheel.h"
 
 #include <gtest/gtest.h>
 
@@ -15,37 +14,7 @@
 namespace lacuna::substeps_test {
 namespace {
 
-constexpr double kInterval = 0.01;  // s
-constexpr double kNoise = 1e-3;     // rad
-constexpr double kStart = 0.2;      // rad
-
-/// A flywheel on a spring of so many rad/s, lightly damped, driven by a motor.
-ModelDefinition sprung(double frequency, const std::string& engine = "articulated") {
-  ModelDefinition definition;
-  RobotSpec& robot = definition.structure.robot;
-  robot = one_joint(JointKind::hinge, 1.0);
-  robot.sensors = {make_sensor("position", SensorKind::joint_position, "joint")};
-  robot.sensors[0].noise = kNoise;
-  robot.joints[0].stiffness = frequency * frequency;
-  robot.joints[0].damping = 0.02 * frequency;
-  definition.engine.engine = engine;
-  definition.engine.step = kInterval;
-  return definition;
-}
-
-std::unique_ptr<CompiledModel> compiled(ModelDefinition definition, int substeps) {
-  definition.engine.substeps = substeps;
-  return compile(definition.structure, definition.engine);
-}
-
-/// Four seconds of its motion, integrated finely.
-Trial recorded(const ModelDefinition& definition) {
-  const std::unique_ptr<CompiledModel> fine = compiled(definition, 200);
-  Trial trial = analytic::record(*fine, {}, analytic::regular_times(401, 1.0 / kInterval),
-                                 analytic::two_sines(4.0, 0.3), {{kStart}, {0.0}}, kNoise, 1);
-  trial.initial = {{InitialKnowledge::given, kStart, 0.0}};
-  return trial;
-}
+using namespace lacuna::flywheel;
 
 double change(const ModelDefinition& definition, const Trial& trial, int substeps) {
   const std::unique_ptr<CompiledModel> own = compiled(definition, substeps), fine = compiled(definition, 400);
@@ -62,10 +31,11 @@ TEST(Substeps, AreAsFewAsKeepTheErrorSmallBesideTheNoise) {
     const Trial trial = recorded(definition);
     const Substeps found = sufficient_substeps(definition, {trial}, {}, 1);
     EXPECT_TRUE(found.enough) << frequency;
-    EXPECT_NEAR(change(definition, trial, found.count), found.share * kNoise, 0.2 * found.share * kNoise) << frequency;
+    EXPECT_NEAR(change(definition, trial, found.count), found.share * kDeviation, 0.2 * found.share * kDeviation)
+        << frequency;
     EXPECT_LE(found.share, 0.05) << frequency;
     if (found.count > 2) {
-      EXPECT_GT(change(definition, trial, found.count / 2), 0.05 * kNoise) << frequency;
+      EXPECT_GT(change(definition, trial, found.count / 2), 0.05 * kDeviation) << frequency;
     }
   }
 }
@@ -77,15 +47,6 @@ TEST(Substeps, AreMoreForAStifferSpring) {
   };
   EXPECT_EQ(count(1.0), 1);
   EXPECT_GT(count(40.0), count(12.0));
-}
-
-/// The same flywheel, whose spring is to be fitted.
-ModelDefinition with_free_spring(double frequency) {
-  ModelDefinition definition = sprung(frequency);
-  const double stiffness = frequency * frequency;
-  definition.free = {analytic::free_value("joint.joint.stiffness", 1.02 * stiffness, 0.5 * stiffness, 2.0 * stiffness)};
-  definition.structure.parameters = {{"joint.joint.stiffness", 0.5 * stiffness, 2.0 * stiffness}};
-  return definition;
 }
 
 /// The spring as a fit with so many substeps finds it.
@@ -146,9 +107,9 @@ TEST(CrossCheck, FindsTheEnginesOfOneMotionTogether) {
   EXPECT_EQ(comparison.cross_check->engine, "ode");
   ASSERT_EQ(comparison.cross_check->channels.size(), 1u);
   const EngineDistance& position = comparison.cross_check->channels[0];
-  EXPECT_LT(position.apart, 0.05 * kNoise);
+  EXPECT_LT(position.apart, 0.05 * kDeviation);
   EXPECT_GT(position.apart, 0.0);
-  EXPECT_NEAR(position.error, kNoise, 0.2 * kNoise);
+  EXPECT_NEAR(position.error, kDeviation, 0.2 * kDeviation);
 }
 
 TEST(CrossCheck, NeedsASecondEngine) {
