@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fitting/analytic_models.h"
+#include "fitting/fit.h"
 #include "support/robots.h"
 
 #include <memory>
@@ -47,6 +48,12 @@ inline ModelDefinition with_free_spring(double frequency) {
   definition.free = {analytic::free_value("joint.joint.stiffness", 1.02 * stiffness, 0.5 * stiffness, 2.0 * stiffness)};
   definition.structure.parameters = {{"joint.joint.stiffness", 0.5 * stiffness, 2.0 * stiffness}};
   return definition;
+}
+
+/// The spring as a fit with so many substeps finds it.
+inline FittedValue fitted_spring(const ModelDefinition& definition, const std::vector<Trial>& trials, int substeps) {
+  const std::unique_ptr<CompiledModel> model = compiled(definition, substeps);
+  return fit({definition, *model, trials, {}, 1, 1}).values[0];
 }
 
 }  // namespace lacuna::flywheel

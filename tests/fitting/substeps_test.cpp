@@ -49,12 +49,6 @@ TEST(Substeps, AreMoreForAStifferSpring) {
   EXPECT_GT(count(40.0), count(12.0));
 }
 
-/// The spring as a fit with so many substeps finds it.
-FittedValue fitted_spring(const ModelDefinition& definition, const std::vector<Trial>& trials, int substeps) {
-  const std::unique_ptr<CompiledModel> model = compiled(definition, substeps);
-  return fit({definition, *model, trials, {}, 1, 1}).values[0];
-}
-
 TEST(Substeps, KeepTheBiasOfAFittedValueSmallBesideItsInterval) {
   const ModelDefinition definition = with_free_spring(6.0);
   const std::vector<Trial> trials = {recorded(sprung(6.0))};

@@ -168,6 +168,23 @@ TEST_F(EffectLookTest, BeginsAFitOfTheHiddenEffectNearItsEnd) {
   EXPECT_LT(start.at("joint.hinge.damping"), base().values.at("joint.hinge.damping"));
 }
 
+/// The distance over which a hysteresis turns is tried at a few values, each of which is a law. The promise is that of
+/// the best.
+TEST(EffectLookOfLaws, PromisesTheBestLawOfAnEffect) {
+  const PendulumData pendulum(two_recordings({.damping = 0.02, .friction = kDry}), {.among = {"hysteresis"}});
+  KeptFits kept;
+  FittedModels models(pendulum.data(), pendulum.data().deciding(), kept);
+  models.fit({}, std::vector<NamedValues>(1));
+  const EffectLook look = look_at_library(pendulum.data(), models.base(), models.ladder());
+  ASSERT_EQ(look.promises.size(), 1U);
+  std::vector<double> gains;
+  for (const Eigen::VectorXd& law : look.gains) gains.push_back(law.sum());
+  ASSERT_GT(gains.size(), 1U);
+  const auto [least, most] = std::minmax_element(gains.begin(), gains.end());
+  EXPECT_LT(*least, 0.5 * *most) << testing::PrintToString(gains);
+  EXPECT_GT(look.promises.front().gains.sum(), 0.95 * *most) << testing::PrintToString(gains);
+}
+
 /// Each of four joints has a value of its own, so the promise is that of all joints together.
 TEST(EffectLookAtManyJoints, PromisesAnEffectOnEveryJointWithAValueForEach) {
   const ArmData arm({0.03, 0.03, 0.03, 0.03});
