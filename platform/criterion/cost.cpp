@@ -79,51 +79,90 @@ Eigen::VectorXd told_solution(const Eigen::MatrixXd& matrix, const Eigen::Vector
   return eigen.eigenvectors() * along;
 }
 
-/// Least squares within bounds by an active set; values that the data do not tell go home, or stay.
-Eigen::VectorXd bounded_step(Eigen::MatrixXd normal, const StepBounds& bounds, double damping) {
-  const Eigen::Index n = normal.rows() - 1;
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(n), home = Eigen::VectorXd::Zero(n);
-  if (n == 0) return step;
-  if (bounds.home.size() == n) {
-    home = bounds.home;
-    normal.diagonal().tail(n) += 2.0 * bounds.pull;
-    normal.col(0).tail(n) += 2.0 * bounds.pull.cwiseProduct(home);
-  }
-  const Eigen::VectorXd scale = normal.diagonal().tail(n).cwiseMax(1e-300).cwiseSqrt();
-  Eigen::MatrixXd matrix = normal.bottomRightCorner(n, n);
-  matrix = scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
-  matrix.diagonal().array() += damping;
-  if (bounds.ridge.size() == n) matrix.diagonal() += bounds.ridge;
-  const Eigen::VectorXd right = normal.col(0).tail(n).cwiseQuotient(scale);
-  const Eigen::VectorXd lower = bounds.lower.cwiseProduct(scale), upper = bounds.upper.cwiseProduct(scale);
-  home = home.cwiseProduct(scale);
-  std::vector<Eigen::Index> moving;
-  for (Eigen::Index i = 0; i < n; ++i) moving.push_back(i);
-  while (!moving.empty()) {
-    const auto size = static_cast<Eigen::Index>(moving.size());
-    Eigen::VectorXd held = step;
-    for (const Eigen::Index i : moving) held(i) = 0.0;
-    const Eigen::VectorXd rest = right - matrix * held;
-    Eigen::MatrixXd part(size, size);
-    Eigen::VectorXd wanted(size), part_of_home(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      wanted(i) = rest(moving[static_cast<std::size_t>(i)]);
-      part_of_home(i) = home(moving[static_cast<std::size_t>(i)]);
-      for (Eigen::Index j = 0; j < size; ++j)
-        part(i, j) = matrix(moving[static_cast<std::size_t>(i)], moving[static_cast<std::size_t>(j)]);
+/// Least squares within bounds, by an active set: values that leave their bounds are held there, and one that the
+/// others' values make go back inside is freed again (P. B. Stark and R. L. Parker, Computational Statistics 10, 1995,
+/// 129-141). Values that the data do not tell go home, or stay.
+class BoundedStep {
+ public:
+  BoundedStep(Eigen::MatrixXd normal, const StepBounds& bounds, double damping) {
+    const Eigen::Index n = normal.rows() - 1;
+    home_ = Eigen::VectorXd::Zero(n);
+    if (bounds.home.size() == n) {
+      home_ = bounds.home;
+      normal.diagonal().tail(n) += 2.0 * bounds.pull;
+      normal.col(0).tail(n) += 2.0 * bounds.pull.cwiseProduct(home_);
     }
-    const Eigen::VectorXd found = told_solution(part, wanted, part_of_home);
-    std::vector<Eigen::Index> inside;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Eigen::Index j = moving[static_cast<std::size_t>(i)];
-      step(j) = std::clamp(found(i), lower(j), upper(j));
-      if (step(j) == found(i)) inside.push_back(j);
-    }
-    if (inside.size() == moving.size()) break;
-    moving = std::move(inside);
+    scale_ = normal.diagonal().tail(n).cwiseMax(1e-300).cwiseSqrt();
+    matrix_ = scale_.cwiseInverse().asDiagonal() * normal.bottomRightCorner(n, n) * scale_.cwiseInverse().asDiagonal();
+    matrix_.diagonal().array() += damping;
+    if (bounds.ridge.size() == n) matrix_.diagonal() += bounds.ridge;
+    right_ = normal.col(0).tail(n).cwiseQuotient(scale_);
+    lower_ = bounds.lower.cwiseProduct(scale_);
+    upper_ = bounds.upper.cwiseProduct(scale_);
+    home_ = home_.cwiseProduct(scale_);
   }
-  return step.cwiseQuotient(scale);
-}
+
+  Eigen::VectorXd step() const {
+    const Eigen::Index n = right_.size();
+    Places moving;
+    for (Eigen::Index i = 0; i < n; ++i) moving.push_back(i);
+    Eigen::VectorXd best = settled(moving, Eigen::VectorXd::Zero(n));
+    for (Eigen::Index round = 0; round < n; ++round) {
+      const Eigen::Index freed = most_held_back(moving, best);
+      if (freed < 0) break;
+      moving.push_back(freed);
+      const Eigen::VectorXd step = settled(moving, best);
+      if (cost_of(step) >= cost_of(best) - kLess * std::abs(cost_of(best))) break;
+      best = step;
+    }
+    return best.cwiseQuotient(scale_);
+  }
+
+ private:
+  using Places = std::vector<Eigen::Index>;
+  static constexpr double kLess = 1e-12;
+
+  double cost_of(const Eigen::VectorXd& step) const { return 0.5 * step.dot(matrix_ * step) - right_.dot(step); }
+
+  /// The least cost by the values that move, the others as in `step`. Those that leave their bounds stay there and move
+  /// no longer.
+  Eigen::VectorXd settled(Places& moving, Eigen::VectorXd step) const {
+    while (!moving.empty()) {
+      for (const Eigen::Index i : moving) step(i) = 0.0;
+      const Eigen::VectorXd rest = right_ - matrix_ * step;
+      const Eigen::VectorXd found = told_solution(matrix_(moving, moving), rest(moving), home_(moving));
+      Places inside;
+      for (std::size_t i = 0; i < moving.size(); ++i) {
+        const Eigen::Index j = moving[i];
+        const double wanted = found(static_cast<Eigen::Index>(i));
+        step(j) = std::clamp(wanted, lower_(j), upper_(j));
+        if (step(j) == wanted) inside.push_back(j);
+      }
+      if (inside.size() == moving.size()) break;
+      moving = std::move(inside);
+    }
+    return step;
+  }
+
+  /// Of the values that are held at a bound, the one whose way back inside lowers the cost fastest; -1: none.
+  Eigen::Index most_held_back(const Places& moving, const Eigen::VectorXd& step) const {
+    const Eigen::VectorXd slope = right_ - matrix_ * step;
+    Eigen::Index found = -1;
+    double fastest = kLess;
+    for (Eigen::Index j = 0; j < step.size(); ++j) {
+      if (std::find(moving.begin(), moving.end(), j) != moving.end() || !(lower_(j) < upper_(j))) continue;
+      const double inward = step(j) <= lower_(j) ? slope(j) : -slope(j);
+      if (inward > fastest) {
+        fastest = inward;
+        found = j;
+      }
+    }
+    return found;
+  }
+
+  Eigen::MatrixXd matrix_;
+  Eigen::VectorXd right_, scale_, lower_, upper_, home_;
+};
 
 /// Of the whole data's normal equations, that every fold's others get: a value that they hardly tell does not run away.
 constexpr double kOfAll = 0.1;
@@ -154,7 +193,7 @@ LinearCost least_cost(const CellLayout& layout, const BlockProducts& products, c
   LinearCost best = cost_of_sums(layout, products, sums, Eigen::VectorXd::Zero(products.values()));
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::VectorXd weights = square_weights(layout, products, best.mean_square);
-    const Eigen::VectorXd step = bounded_step(weighted_sum(sums, weights, products.values()), bounds, damping);
+    const Eigen::VectorXd step = BoundedStep(weighted_sum(sums, weights, products.values()), bounds, damping).step();
     const LinearCost next = cost_of_sums(layout, products, sums, step);
     if (!(next.cost + bounds.cost_of_way(next.step) < best.cost + bounds.cost_of_way(best.step))) break;
     const bool is_settled = (step - best.step).lpNorm<Eigen::Infinity>() <= kSettled * step.lpNorm<Eigen::Infinity>();
@@ -171,14 +210,14 @@ CrossFittedCost cross_fit(const CellLayout& layout, const BlockProducts& product
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(products.values() + 1, products.values() + 1);
   for (const Eigen::MatrixXd& fold : folds) all += fold;
   Eigen::VectorXd from = Eigen::VectorXd::Zero(products.values());
-  if (!whole_steps) from = bounded_step(all, bounds, 0.0);
+  if (!whole_steps) from = BoundedStep(all, bounds, 0.0).step();
   const double of_all = whole_steps ? 0.0 : kOfAll;
   std::vector<Eigen::VectorXd> steps;
   for (std::size_t fold = 0; fold < layout.folds; ++fold) {
     Eigen::MatrixXd others = of_all * all;
     for (std::size_t other = 0; other < layout.folds; ++other)
       if (other != fold) others += folds[other];
-    steps.push_back(bounded_step(std::move(others), bounds, 0.0) - from);
+    steps.push_back(BoundedStep(std::move(others), bounds, 0.0).step() - from);
   }
   CrossFittedCost result;
   result.by_length =

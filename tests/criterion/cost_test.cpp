@@ -54,6 +54,22 @@ TEST(LeastCost, StaysWithinBounds) {
   EXPECT_DOUBLE_EQ(least.step(0), 2.0);
 }
 
+/// Without bounds both values fall; the second one at its bound, the first rises.
+TEST(LeastCost, FreesAValueThatOthersAtTheirBoundsLetBackInside) {
+  const CellLayout layout = one_cell();
+  BlockProducts products(layout, 2);
+  for (std::size_t b = 0; b < layout.blocks(); ++b) {
+    products.at(0, b) << 10.0, 0.5, -1.0,  //
+        0.5, 1.0, -0.9,                    //
+        -1.0, -0.9, 1.0;
+    products.samples(0, b) = 1.0;
+  }
+  const StepBounds bounds{Eigen::Vector2d::Zero(), Eigen::Vector2d::Constant(10.0)};
+  const LinearCost least = least_cost(layout, products, bounds);
+  EXPECT_NEAR(least.step(0), 0.5, 1e-9);
+  EXPECT_EQ(least.step(1), 0.0);
+}
+
 /// As much of the diagonal again halves the step.
 TEST(LeastCost, ARidgeOfTheDiagonalHalvesTheStep) {
   const CellLayout layout = one_cell();
