@@ -72,7 +72,9 @@ TEST_F(PageDatabaseTest, OfALargeDatabaseTakesWhatPassesNeedAndSaysSo) {
   pages.copy(database_, 1000);
   const Database copy = kept(pages);
   EXPECT_EQ(ask(copy, "SELECT count(*) FROM page_note WHERE sentence LIKE '%selection%'"), 1);
-  EXPECT_EQ(ask(copy, "SELECT count(*) FROM page_note WHERE sentence LIKE '%all except the best of each pass%'"), 1);
+  EXPECT_EQ(
+      ask(copy, "SELECT count(*) FROM page_note WHERE sentence LIKE '%only the best models and tests of each pass%'"),
+      1);
   EXPECT_LT(ask(copy, "SELECT count(*) FROM model"), ask(database_, "SELECT count(*) FROM model"));
   EXPECT_LT(ask(copy, "SELECT count(*) FROM trace"), ask(database_, "SELECT count(*) FROM trace"));
   for (const char* view : {"error_by_pass", "best_model", "transfer_gap", "error_by_revision"}) {

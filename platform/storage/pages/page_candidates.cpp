@@ -60,8 +60,13 @@ std::string note_of(const Database& database, std::int64_t whole, std::int64_t r
   const std::int64_t models = one_number(database, "SELECT count(*) FROM model"),
                      tests = one_number(database, "SELECT count(*) FROM test");
   if (whole == runs || models + tests == 0) return "";
-  return fmt::format("Left out: of {} models and {} tests, all except the best of each pass, with their scores{}.",
-                     models, tests, whole == 0 ? "" : fmt::format(", except in the newest {} of {} runs", whole, runs));
+  const std::string best = "only the best models and tests of each pass are in this report";
+  const std::string kept = whole == 0
+                               ? "Of all runs, " + best
+                               : fmt::format("The newest {} complete. Of the other {}, {}",
+                                             whole == 1 ? "run is" : fmt::format("{} runs are", whole),
+                                             runs - whole == 1 ? "run" : fmt::format("{} runs", runs - whole), best);
+  return fmt::format("{}. All runs together: {} models, {} tests.", kept, models, tests);
 }
 
 }  // namespace

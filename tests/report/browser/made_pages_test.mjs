@@ -103,7 +103,7 @@ describe('compare', () => {
     await page.waitForFunction(
       () => document.querySelector('.trial-curves .figure-title')?.textContent === 'chirp.csv',
     );
-    assert.match(await page.textContent('aside.side'), /chirp\.csv has none of its samples/);
+    assert.match(await page.textContent('aside.side'), /The chosen finding has no samples in chirp\.csv/);
     await page.locator('.finding').nth(1).click();
     await page.waitForFunction(() => document.querySelector('.trial-curves .figure-title')?.textContent === 'sine.csv');
   });

@@ -119,13 +119,13 @@ describe('the setup of a trial', () => {
     lacuna('compare', 'loads.toml', '--quiet');
     lacuna('report', 'loads.db', '--out', 'loads.html', '--quiet');
     const page = await newPage(browser);
-    const words = { 'sine.csv': 'body.arm.mass = 0.53 kg', 'steps.csv': 'body.arm.mass fitted to it alone' };
+    const words = { 'sine.csv': 'body.arm.mass = 0.53 kg', 'steps.csv': 'body.arm.mass fitted to this trial only' };
     for (const [trial, said] of Object.entries(words)) {
       await go(page, url('loads.html'), `#/compare?trial=${trial}`);
       await page.waitForSelector('.trial-curves canvas');
       await page.waitForFunction(
         (line) => document.querySelector('.trial-curves')?.textContent.includes(line),
-        `On the rig in this trial: ${said}.`,
+        `Setup of this trial: ${said}.`,
         { timeout: 10000 },
       );
       assert.ok((await page.locator('.errors tbody th', { hasText: trial }).textContent()).endsWith(said));
@@ -230,7 +230,7 @@ function pagesOf(way, open) {
       await go(page, walk, '#/run?run=2');
       for (const title of [
         'Error of the best model',
-        'Objective error: mass',
+        'True-parameter error: mass',
         'Transfer',
         'Spread',
         'Error on new trials',
@@ -285,7 +285,7 @@ function pagesOf(way, open) {
       assert.match(values, /^address,unit,pass,value,truth,/);
       assert.match(values, /\nbody\.front_right_lower\.mass,kg,1,/);
       await go(page, walk, '#/runs');
-      const bands = await csvOf(page.locator('.figure', { hasText: 'Objective error by pass: mass' }).last());
+      const bands = await csvOf(page.locator('.figure', { hasText: 'True-parameter error by pass: mass' }).last());
       assert.match(bands, /\n"quadruped-parametric-smoke, run 1",1,/);
       assert.match(bands, /95 % interval",1,[\d.]+,0,[\d.]+,2\r/, 'of two runs it would begin below 0');
     });
@@ -540,7 +540,7 @@ describe('a report', () => {
     lacuna('report', 'newest.db', '--out', 'newest.html', '--quiet');
     const page = await newPage(browser);
     await go(page, url('newest.html'), '#/diagnose');
-    assert.match(await page.textContent('.lead'), /Nothing is missing.*probability 0\.93 \(calibrated/);
+    assert.match(await page.textContent('.lead'), /Nothing is missing.*probability that this verdict is right: 0\.93 \(calibrated/);
     assert.doesNotMatch(await page.textContent('table.grid'), /weight/);
     noFaults(page);
     await page.close();
@@ -606,7 +606,7 @@ describe('a report', () => {
   it('says that a replay asked for is not in it', async () => {
     const page = await newPage(browser);
     await go(page, url('walk.html'), '#/replay?run=2&trial=99');
-    assert.match(await page.textContent('main'), /robots of run 2, trial 99 are not here/);
+    assert.match(await page.textContent('main'), /No motion is stored for run 2, trial 99\./);
     assert.equal(await page.locator('.stage').count(), 0);
     noFaults(page);
     await page.close();
@@ -626,7 +626,7 @@ describe('a report', () => {
     assert.ok(models > 20_000);
     assert.ok((await page.textContent('.facts')).replace(/[^0-9a-z]/g, '').includes(`models${models}`));
     assert.equal(await page.locator('.figure-title:has-text("Spread")').count(), 0);
-    assert.match(await page.textContent('.notes'), /except the best of each pass.*except in the newest 1 of 2 runs/);
+    assert.match(await page.textContent('.notes'), /The newest run is complete\. Of the other run, only the best models and tests of each pass are in this report/);
     await page.waitForSelector('.figure-title:has-text("Error of the best model")');
     await go(page, url('large.html'), '#/replay');
     assert.match(await page.textContent('.empty'), /--no-robots/);

@@ -256,9 +256,9 @@ function Trial({ scores, trial, place, where, findings, regimes, chosen, choose:
           </ol>
           {chosen?.stretches && lit.length === 0 && (
             <p class="note">
-              {trial} has none of its samples.{' '}
+              The chosen finding has no samples in {trial}.{' '}
               <button class="link" onClick={() => choose({ trial: null, channel: null, t: null })}>
-                Show the trial with most of them.
+                Show the trial with most of its samples.
               </button>
             </p>
           )}

@@ -31,11 +31,11 @@ export interface TrialSetup {
 export const kSetups = `SELECT DISTINCT score.comparison, trial_setups.trial, setup, settings, own FROM trial_setups
   JOIN comparison_score AS score ON score.trial = trial_setups.id ORDER BY score.comparison, trial_setups.trial`;
 
-/** "body.load.mass = 0.49 kg, sensor.angle.offset fitted to it alone"; null where nothing was different. */
+/** "body.load.mass = 0.49 kg, sensor.angle.offset fitted to this trial only"; null where nothing was different. */
 export function setupText(setups: TrialSetup[], comparison: number, trial: string): string | null {
   const found = setups.find((one) => one.comparison === comparison && one.trial === trial);
   if (!found) return null;
-  const own = found.own === null ? [] : found.own.split(', ').map((address) => `${address} fitted to it alone`);
+  const own = found.own === null ? [] : found.own.split(', ').map((address) => `${address} fitted to this trial only`);
   return [...(found.settings === null ? [] : [found.settings]), ...own].join(', ') || found.setup;
 }
 
@@ -176,7 +176,7 @@ export function pointed({ findings, where }: Where): Finding[] {
         view: view.view,
         share: one.share_of_error,
         stretches: one.stretches,
-        sentence: `${percent(one.share_of_error)} of the squared ${view.view === 'acceleration' ? 'unexplained acceleration' : 'error'} is in ${percent(one.share_of_samples)} of the samples (${times(one.times_floor)} the floor): ${one.sentence}`,
+        sentence: `${percent(one.share_of_error)} of the squared ${view.view === 'acceleration' ? 'residual acceleration' : 'error'} is in ${percent(one.share_of_samples)} of the samples (${times(one.times_floor)} the floor): ${one.sentence}`,
       })),
   );
   return [...findings, ...regimes];

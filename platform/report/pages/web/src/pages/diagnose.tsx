@@ -80,7 +80,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
         {document.stopped && <span class="muted">preliminary: the time limit stopped the search</span>}
         {document.probability !== null && (
           <span class="muted">
-            probability {probabilityText(document.probability)} (
+            probability that this verdict is right: {probabilityText(document.probability)} (
             {document.calibrated ? 'calibrated on simulated experiments' : 'uncalibrated'})
           </span>
         )}
@@ -133,7 +133,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Figure
         title={outdone ? 'Candidates of the library (none is the answer)' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on ${byHorizon(document) ? 'fitted' : 'left-out'} data, in multiples of the noise floor. Null model: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
+        note={`Error on ${byHorizon(document) ? 'fitted' : 'left-out'} data, in multiples of the noise floor. Null model (the model without any added effect): ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or these data do not determine it.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -246,7 +246,13 @@ function Candidate({ rank, model, inPercent, length }: CandidateProps) {
           : gainText({ value: model.gain, standard_error: model.gain_standard_error })}
       </td>
       <td class="number">
-        {(model.segment_s ?? null) === length ? times(timesFloor(model)) : `${quantity(model.segment_s, 's')} segments`}
+        {(model.segment_s ?? null) === length ? (
+          times(timesFloor(model))
+        ) : (
+          <>
+            not comparable<span class="small">{quantity(model.segment_s, 's')} segments</span>
+          </>
+        )}
       </td>
     </tr>
   );

@@ -26,7 +26,7 @@ export function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | 
   const shown = tests.find((one) => one.name === chosen) ?? tests[0];
   const unit = shown.channel.unit;
   const bins = shown.test.bins;
-  const what = view.view === 'acceleration' ? 'unexplained acceleration' : 'residual';
+  const what = view.view === 'acceleration' ? 'residual acceleration' : 'residual';
   return (
     <div class="two">
       <Chart

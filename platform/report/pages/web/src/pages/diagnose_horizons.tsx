@@ -13,7 +13,7 @@ export function Horizons({ errors }: { errors: HorizonError[] }) {
     <Figure
       title="Prediction error by horizon"
       downloads={[{ label: 'CSV', run: () => saveErrors(errors) }]}
-      note={`RMS error${hasAnswer ? ' without → with the answer' : ''}; each prediction starts from a measured state, without the part of the error that the uncertainty of this state explains. Floor: noise of a reading.`}
+      note={`RMS error${hasAnswer ? ' without → with the answer, the candidate that the verdict names' : ''}. Each prediction starts from a measured state; the error that the uncertainty of this state causes is removed. Floor: noise of a reading.`}
     >
       <div class="scrolls">
         <table class="grid">

@@ -66,7 +66,7 @@ function Verdict({ of: { diagnosis, revisions } }: { of: Overview }) {
   const link = linkTo('diagnose', { diagnosis: id });
   const certainty = [
     ...(document.stopped ? ['preliminary'] : []),
-    ...(document.probability !== null ? [`probability ${probabilityText(document.probability)}`] : []),
+    ...(document.probability !== null ? [`probability that this verdict is right: ${probabilityText(document.probability)}`] : []),
   ];
   if (newest !== revision)
     return (
@@ -102,7 +102,7 @@ function Errors({ of: { name, revisions, errors } }: { of: Overview }) {
   return (
     <Figure
       title="Error by revision"
-      note={`First line: RMSE on the fit trials, previous → this revision. Second line: RMSE on the held-out trials, and its multiple of the noise floor (of the fit trials if none is held out).${compared.length > kMostRevisions ? ` The last ${kMostRevisions} of ${compared.length} revisions.` : ''}`}
+      note={`Upper line of a cell: RMSE on the fit trials, previous → this revision. Lower line: RMSE on the held-out trials, and × floor (RMSE divided by the noise floor). Without held-out trials, × floor is that of the fit trials.${compared.length > kMostRevisions ? ` The last ${kMostRevisions} of ${compared.length} revisions.` : ''}`}
       downloads={[
         {
           label: 'CSV',

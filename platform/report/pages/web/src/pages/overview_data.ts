@@ -104,7 +104,7 @@ export function heldOutAbove(errors: ErrorRow[]): ErrorRow | null {
 }
 
 const heldOutStep = (one: ErrorRow, file: string): Step => ({
-  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor. Possible causes: an uncertain initial state, a motion that excites an effect which the fit files do not excite, or a different recording. The last line of lacuna compare says which of them are possible.`,
+  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor. Possible causes: (1) the initial state is uncertain; (2) this motion excites an effect that the fit files do not excite; (3) the rig or its load was different in this recording. The last line of lacuna compare says whether (1) explains the error.`,
   command: `lacuna compare ${file}`,
 });
 

@@ -52,7 +52,7 @@ function Pieces({ all, choices }: { all: Piece[]; choices: Record<string, string
       {piece ? (
         <Player key={piece.identity + piece.key} piece={piece} start={Number(choices.t ?? 0)} />
       ) : (
-        <Empty>The robots of {asked} are not here; the list has those that are.</Empty>
+        <Empty>No motion is stored for {asked}. Choose another trial from the list.</Empty>
       )}
     </>
   );

@@ -42,7 +42,7 @@ function Chosen({ all, choices }: { all: Run[]; choices: Record<string, string> 
     return (
       <>
         <RunSelect all={all} />
-        <Empty>{missing} The list has those that are.</Empty>
+        <Empty>{missing} Choose a run from the list.</Empty>
       </>
     );
   return <OneRun key={run.run} run={run} all={all} standing={standing} pass={choices.pass} />;
@@ -153,9 +153,9 @@ function Objective({ run }: { run: Run }) {
               return (
                 <Chart
                   key={group}
-                  title={`Objective error: ${name}`}
+                  title={`True-parameter error: ${name}`}
                   x={passAxis}
-                  y={{ label: 'error from the hidden value', unit, include: [0] }}
+                  y={{ label: 'difference from the true (hidden) value', unit, include: [0] }}
                   note={several ? 'Mean over the values of this kind; band: smallest to largest.' : undefined}
                   series={[
                     ...(several

@@ -173,7 +173,7 @@ function EnsembleTable({ pass, values, errorUnit }: { pass: number; values: Ense
   return (
     <Figure
       title={`Models carried over from pass ${pass}`}
-      note="The best of each structure and restart first. To predict a test with them: lacuna predict FILE --test ..."
+      note="Order: the best model of each structure and of each restart of the search, then the best of the others. To predict a test with them: lacuna predict FILE --test ..."
       downloads={[{ label: 'CSV', run: () => saveCsv(table.columns, table.rows, `models of pass ${pass}`) }]}
     >
       <DataTable key={errorUnit} table={table} formats={formats} />

@@ -61,7 +61,7 @@ export function State({ run, standing }: { run: Run; standing: Standing }) {
     ['models', count(run.models)],
     ['tests', count(run.tests)],
     ['target trials', count(run.trials)],
-    ['work', duration(run.seconds)],
+    ['running time', duration(run.seconds)],
     ...speedOf(run, standing, source.live, rate),
   ];
   return (

@@ -138,7 +138,7 @@ function Replicates({ runs, experiments }: { runs: number[]; experiments: string
             own.length > 0 && (
               <Bands
                 key={group}
-                title={`Objective error by pass: ${address}`}
+                title={`True-parameter error by pass: ${address}`}
                 label={`error of ${address}`}
                 experiments={experiments}
                 unit={unit}

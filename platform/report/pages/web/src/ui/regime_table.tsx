@@ -10,7 +10,7 @@ interface Props {
 }
 
 const percent = (share: number) => `${plain(100 * share, 2)} %`;
-const kOf: Record<string, string> = { acceleration: 'unexplained acceleration' };
+const kOf: Record<string, string> = { acceleration: 'squared residual acceleration' };
 
 /** Error by regime: how much of it is in how many samples. */
 export function RegimeTable({ regimes, chosen, choose }: Props) {
@@ -25,19 +25,19 @@ export function RegimeTable({ regimes, chosen, choose }: Props) {
     <Figure
       title="Error by regime"
       downloads={[{ label: 'CSV', run: keep }]}
-      note="On the fit trials. Load: force or torque of actuators, springs and dampers on the joint, in the model. Accumulated work: integral of |load × velocity| over time. Click a regime to show the trial with most of its samples, highlighted."
+      note="On the fit trials. Regime: the samples in which one quantity, or several, are in a range, such as |velocity| < 50 mrad/s. Load: force or torque of actuators, springs and dampers on the joint, in the model. Accumulated work: integral of |load × velocity| over time. Click a regime to show the trial with most of its samples; they are highlighted."
     >
       <div class="scrolls">
         <table class="grid regimes">
           <thead>
             <tr>
               <th scope="col">regime</th>
-              <th scope="col">of</th>
+              <th scope="col">quantity</th>
               <th scope="col" class="number">
-                error
+                share of quantity
               </th>
               <th scope="col" class="number">
-                samples
+                share of samples
               </th>
               <th scope="col" class="number">
                 × floor

@@ -198,7 +198,7 @@ export function TrialCurvesPanel(props: Props) {
           PNG
         </button>
       </figcaption>
-      {props.setup && <p class="note">On the rig in this trial: {props.setup}.</p>}
+      {props.setup && <p class="note">Setup of this trial: {props.setup}.</p>}
       {channels.map((channel, i) => (
         <Channel
           key={channel.name}
