@@ -28,7 +28,7 @@ std::string file_word(std::string noun) {
 const std::vector<DraftKind>& draft_kinds() {
   static const std::vector<DraftKind> all = {
       {"metric", "RMS of predicted - measured", "`[estimation] metric = \"@NAME@\"`"},
-      {"model encoding", "one gene per free parameter, its share of the search range",
+      {"model encoding", "one gene per free parameter: the position of its value in the search range, from 0 to 1",
        "`[model] encoding = \"@NAME@\"`"},
       {"mutation", "changes one gene at random and keeps it within its bounds",
        "`[[estimation.mutation]] operator = \"@NAME@\"`"},
@@ -42,7 +42,8 @@ const std::vector<DraftKind>& draft_kinds() {
       {"search", "keeps the best individuals and tries their children", "`[estimation] search = \"@NAME@\"`"},
       {"target", "a pendulum with dry friction, computed by the plugin", "`[target] kind = \"@NAME@\"`"},
       {"test encoding", "constant commands, one level after another", "`[test] encoding = \"@NAME@\"`"},
-      {"test fitness", "how much a test moves the readings of the best model", "`[exploration] fitness = \"@NAME@\"`"}};
+      {"test fitness", "standard deviation of the sensor readings that the best model predicts for a test",
+       "`[exploration] fitness = \"@NAME@\"`"}};
   return all;
 }
 

@@ -277,9 +277,9 @@ void add_add_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model, then fit the model again");
   add_experiment_options(*command, *options);
   command
-      ->add_option(
-          "effect", options->effect,
-          "Name of the effect (see lacuna plugins list); wrong_value: fit a value that is fixed in the robot file")
+      ->add_option("effect", options->effect,
+                   "Name of the effect (see lacuna plugins list). The name wrong_value stands for a fixed value of the "
+                   "robot file, which --where names: it becomes a free value")
       ->option_text("NAME");
   command->add_flag("--answer", options->answer, "Add the effects that the last diagnosis of this model found");
   command

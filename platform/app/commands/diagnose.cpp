@@ -18,7 +18,8 @@ void add_diagnose_command(CLI::App& program) {
   add_time_limit_option(*command);
   command
       ->add_option("--among", options->among,
-                   "Try only these effects (default: all); wrong_value: fit values that are fixed in the robot file")
+                   "Try only these effects (default: all). The name wrong_value stands for the fixed values of the "
+                   "robot file: each is tried as a free value")
       ->option_text("EFFECT ...");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {

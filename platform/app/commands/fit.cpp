@@ -45,7 +45,8 @@ void run_fit(const CommonOptions& options) {
 
 void add_fit_command(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("fit", "Fit the model's free values to the fit files");
+  CLI::App* command =
+      program.add_subcommand("fit", "Fit the model's free values to the recordings that are not held out");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_time_limit_option(*command);

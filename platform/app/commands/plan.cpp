@@ -52,9 +52,8 @@ void add_plan_command(CLI::App& program) {
       ->check(whole_number(1, 1000000));
   command
       ->add_option("--sweep", options->sweeps,
-                   "Vary a key: --sweep engine.step=0.001,0.002; may be repeated; all combinations are planned, with "
-                   "those of the "
-                   "file's [sweep]")
+                   "Vary a key: --sweep engine.step=0.001,0.002; may be repeated; all combinations are planned, also "
+                   "with the keys in the file's section [sweep]")
       ->allow_extra_args(false)
       ->option_text("KEY=A,B,...");
   command->add_option("--seed", options->seed, "Seed (default: the files')")->option_text("N")->check(whole_number(0));

@@ -116,7 +116,8 @@ void replay(const ReplayOptions& options) {
 
 void add_replay_command(CLI::App& program) {
   auto options = std::make_shared<ReplayOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("replay", "Simulate a stored model again and compare its scores");
+  CLI::App* command =
+      program.add_subcommand("replay", "Simulate a stored model again and compare its scores with the stored ones");
   add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "Run (required if there are several)")->option_text("N");
   command->add_option("--model", options->model, "Number of the model in its run (default: the best of the last pass)")

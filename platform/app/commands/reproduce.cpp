@@ -125,13 +125,16 @@ void reproduce(const ReproduceOptions& options) {
 
 void add_reproduce_command(CLI::App& program) {
   auto options = std::make_shared<ReproduceOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("reproduce", "Run a stored run again and compare every row");
+  CLI::App* command =
+      program.add_subcommand("reproduce", "Repeat a stored run and compare every row with the stored one");
   add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "Run (required if there are several)")->option_text("N");
   command->add_option("--threads", options->threads, "Threads (default: one per processor)")
       ->option_text("N")
       ->check(whole_number(1, 1024));
-  command->add_flag("--trust", options->trust, "Start the program that the database names as the target");
+  command->add_flag("--trust", options->trust,
+                    "Allow Lacuna to start the program that the database names as the target; without it, such a run "
+                    "is not repeated. Use it only if you trust the database");
   command->add_flag("--quiet", options->quiet, "Print results only");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)

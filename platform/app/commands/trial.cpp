@@ -225,8 +225,9 @@ void run_trial(const TrialOptions& options) {
 
 void add_trial_command(CLI::App& program) {
   auto options = std::make_shared<TrialOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand(
-      "trial", "Carry out a test on a simulated or external target, or write the commands of the test for a rig");
+  CLI::App* command = program.add_subcommand("trial",
+                                             "Send a test to the target (the simulation or program to be identified), "
+                                             "or write its commands to a CSV file for a rig");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_test_options(*command, options->asked,

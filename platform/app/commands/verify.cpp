@@ -83,8 +83,7 @@ void add_verify_command(CLI::App& program) {
   auto options = std::make_shared<VerifyOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("verify", "Check a database against its stored hashes");
   add_database_argument(*command, options->database);
-  command->add_flag("--quiet", options->quiet,
-                    "Print only one line, and only if the file differs from what was stored");
+  command->add_flag("--quiet", options->quiet, "Print nothing if the database matches its hashes, otherwise one line");
   command->callback([options] { verify_database(*options); });
 }
 

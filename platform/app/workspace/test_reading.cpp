@@ -67,9 +67,9 @@ void add_test_options(CLI::App& command, AskedTest& asked, const std::string& de
   command.add_option("--test", asked.test, description)->required()->option_text("TEST");
   command.add_option("--duration", asked.duration, "Duration (default: the test's)")->option_text("TIME");
   command
-      .add_option(
-          "--setup", asked.setup,
-          "Setup, such as a load: its name in the recordings, or \"none\" (default: that of the first recording)")
+      .add_option("--setup", asked.setup,
+                  "Setup (condition of the rig, such as a load): the name of its recording, or \"none\" (default: the "
+                  "setup of the first recording)")
       ->option_text("NAME");
 }
 
