@@ -46,7 +46,7 @@ WHERE comparison.id = (
   WHERE newer.revision = comparison.revision AND newer.kind = 'refitted'
     AND newer_trial.held_out = trial.held_out);
 
--- One row per trial with a setup: the values that its recording sets, and the values that are fitted to it alone.
+-- One row per trial with a setup: the values that its recording sets, and the values that are fitted to this trial only.
 -- example: SELECT trial, setup, settings, own FROM trial_setups ORDER BY trial;
 CREATE VIEW trial_setups AS
 SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trial.setup,
@@ -101,7 +101,7 @@ JOIN experiment ON experiment.id = revision.experiment
 JOIN fitted_value ON fitted_value.fit = fit.id
 WHERE fit.id = (SELECT max(id) FROM fit AS newer WHERE newer.revision = fit.revision);
 
--- One row per look at held-out data; each look weakens them as evidence.
+-- One row per comparison that read held-out trials; each one weakens them as evidence.
 -- example: SELECT number, revision, time, command FROM holdout_looks ORDER BY number;
 CREATE VIEW holdout_looks AS
 SELECT experiment.name AS experiment, holdout_look.number, revision.number AS revision, holdout_look.time,

@@ -11,7 +11,7 @@ std::vector<Channel> channels_of(const Comparison& comparison);
 ResidualView free_run_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
                            int threads);
 
-/// The same for the unexplained acceleration; without channels where no position or velocity is measured.
+/// The same for the residual acceleration; without channels where no position or velocity is measured.
 ResidualView acceleration_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
                                int threads);
 

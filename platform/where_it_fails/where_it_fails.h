@@ -103,7 +103,7 @@ struct WhereItFails {
 };
 
 /// METHOD's "Where it fails". The error of a free run accumulates all that a model lacks, so it shows how much is
-/// missing; the unexplained acceleration shows on what it depends. Regimes and parts of an error are reported above 1.2
+/// missing; the residual acceleration shows on what it depends. Regimes and parts of an error are reported above 1.2
 /// floors; a dependence wherever a test finds one with more than a twentieth of the squares. Nothing is found where no
 /// fit trial can be scored or no floor is known. Throws `Interrupted`.
 WhereItFails where_it_fails(const FeatureTask& task);

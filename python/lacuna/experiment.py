@@ -157,7 +157,7 @@ class Experiment(ExperimentCommands):
         time_limit: Optional[float] = None,
         progress: Optional[ProgressCallback] = None,
     ) -> Comparison:
-        """Fits the model and compares it with every recording. Each look at held-out recordings is counted.
+        """Fits the model and compares it with every recording. Each comparison of held-out recordings is counted.
 
         Parameters
         ----------

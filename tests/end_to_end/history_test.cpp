@@ -32,7 +32,8 @@ TEST(History, LeavesTheDatabaseAsItIs) {
   const std::string before = program.read("servo-pendulum.db");
   const Outcome not_fitted = program.run({"history", "servo-pendulum.toml"});
   EXPECT_THAT(not_fitted.output, ContainsRegex("1\\* +rigid .*not fitted"));
-  EXPECT_THAT(not_fitted.output, HasSubstr("held-out looks 1\nrevision 1 is not compared yet. Next: lacuna compare"));
+  EXPECT_THAT(not_fitted.output,
+              HasSubstr("held-out trials compared 1 time\nrevision 1 is not compared yet. Next: lacuna compare"));
   const Outcome other = program.run({"history", "servo-pendulum.toml", "--set", "engine.substeps=2"});
   EXPECT_THAT(other.output, HasSubstr("the model in the file is not stored yet. Next: lacuna compare"));
   EXPECT_THAT(other.output, Not(HasSubstr("1*")));

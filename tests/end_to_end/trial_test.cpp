@@ -76,7 +76,7 @@ TEST_F(TrialCommand, IsAllThatASimulatedTargetNeedsForItsFirstFit) {
   EXPECT_NEAR(fitted["values"][0]["value"].get<double>(), kTrueDamping, kDampingTolerance * kTrueDamping);
   const Outcome compare = program_.run({"compare", "bench.toml"});
   EXPECT_EQ(compare.exit_code, 0) << compare.errors;
-  EXPECT_THAT(compare.output, HasSubstr("2 fit trials, 1 held out"));
+  EXPECT_THAT(compare.output, HasSubstr("2 fit trials, 1 held-out trial"));
   const Outcome noise = program_.run({"sql", "bench.db", "--csv", "SELECT count(DISTINCT digest) FROM trial"});
   EXPECT_EQ(lines_of(noise.output).back(), "3") << "the same test again has other noise";
 }

@@ -29,7 +29,7 @@ TEST(HistoryText, SaysWhichErrorsAreOfTheFitFilesAlone) {
       history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0), row(2, "friction", 1e-3, 1e-3, 1.0)}, 1);
   EXPECT_THAT(text, HasSubstr("-               8.0  ████████████████████████ fit files\n"));
   EXPECT_THAT(text, HasSubstr("1.00 mrad               1.0  ███\n"));
-  EXPECT_THAT(text, HasSubstr("held-out looks 1\n"));
+  EXPECT_THAT(text, HasSubstr("held-out trials compared 1 time\n"));
 }
 
 TEST(HistoryText, TakesFitFilesForGrantedWhereNothingIsHeldOut) {
@@ -65,7 +65,7 @@ TEST(HistoryText, ShowsErrorsOverEachLengthAndWhatTheyAreOfTheFirst) {
   rigid.horizons = {{0.1, 2e-3, 3e-3}, {2.0, 8e-3, 9e-3}};
   friction.horizons = {{0.1, 1e-3, kNotKnown}, {2.0, 1e-3, kNotKnown}};
   const std::string text = history_text({rigid, friction}, 1);
-  EXPECT_THAT(text, testing::ContainsRegex("rev +angle over +0.1 s +2 s"));
+  EXPECT_THAT(text, testing::ContainsRegex("rev +angle +0.1 s segments +2 s segments"));
   EXPECT_THAT(text, testing::ContainsRegex("1 +fit +2.00 mrad +8.00 mrad"));
   EXPECT_THAT(text, testing::ContainsRegex("2 +fit +1.00 mrad +−50 % +1.00 mrad +−88 %"));
   EXPECT_THAT(text, testing::ContainsRegex("1 +held out +3.00 mrad +9.00 mrad"));
@@ -82,7 +82,7 @@ TEST(HistoryText, EndsWithTheSetupsOfTheRecordings) {
   const std::vector<KnownSetup> loads = {
       {.names = {"heavy"}, .settings = {{"body.load.mass", 0.49, "kg"}}, .recordings = {"heavy.csv"}}};
   EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0)}, 0, loads),
-              HasSubstr("held-out looks 0\nsetup heavy: body.load.mass = 0.49 kg · heavy.csv\n"));
+              HasSubstr("held-out trials compared 0 times\nsetup heavy: body.load.mass = 0.49 kg · heavy.csv\n"));
 }
 
 }  // namespace

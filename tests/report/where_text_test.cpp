@@ -58,8 +58,8 @@ TEST(FindingText, SaysOnWhatAResidualDependsAndOnWhatNot) {
                         .not_on = {0, 4, 6},
                         .p = 1e-7};
   EXPECT_EQ(finding_text(finding, table()),
-            "40 % of the squared unexplained acceleration of angle is explained by direction of motion and |velocity| "
-            "(p < 0.001), not by command, position or time");
+            "40 % of the squared residual acceleration of angle depends on direction of motion and |velocity| "
+            "(p < 0.001), not on command, position or time");
 }
 
 TEST(FindingText, SaysSignsOfParts) {

@@ -27,7 +27,8 @@ const Trial* named_trial(const OpenExperiment& opened, const AskedTest& asked) {
     if (trial.held_out)
       throw_problem(
           {},
-          fmt::format("--test {}: this trial is held out; only lacuna compare may read it, because it counts the looks",
+          fmt::format("--test {}: this trial is held out; only lacuna compare may read it, because it counts how often "
+                      "held-out trials are compared",
                       asked.test));
     if (asked.setup || !asked.duration.empty())
       throw_problem(

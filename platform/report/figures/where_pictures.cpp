@@ -18,7 +18,7 @@ constexpr std::size_t kPanels = 12, kColumns = 3;
 constexpr Eigen::Index kPoints = 1200;  // of a scatter; more hide each other
 
 std::string view_name(const ResidualView& view) {
-  return view.kind == ViewKind::acceleration ? "unexplained acceleration" : "free runs";
+  return view.kind == ViewKind::acceleration ? "residual acceleration" : "free runs";
 }
 
 std::string ending(const ResidualView& view) {

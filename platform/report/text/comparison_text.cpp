@@ -30,7 +30,9 @@ std::string heading_line(const ComparisonHeading& heading, const Comparison& com
   const auto held_out = static_cast<std::size_t>(
       std::count_if(comparison.trials.begin(), comparison.trials.end(), [](const auto& t) { return t.held_out; }));
   std::string line = heading.experiment + " · " + counted(comparison.trials.size() - held_out, "fit trial");
-  if (held_out > 0) line += fmt::format(", {} held out (look {})", held_out, heading.look);
+  if (held_out > 0)
+    line += fmt::format(", {} (compared {})", counted(held_out, "held-out trial"),
+                        counted(static_cast<std::size_t>(heading.look), "time"));
   if (!heading.refitted) return line + " · values as written, not fitted\n";
   line += " · refitted " + counted(fit.values.size(), "value");
   return line + (heading.reused ? " (fit from the database)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
@@ -62,14 +64,14 @@ std::string horizons_line(const Comparison& comparison, const std::string& chann
   for (const double horizon : horizons_of(comparison)) {
     const double fit = restarted_error(comparison, channel, horizon, false);
     const double held_out = restarted_error(comparison, channel, horizon, true);
-    line += fmt::format("{}every {:.3g} s: fit {}", line.empty() ? "" : " · ", horizon, quantity(fit, unit));
+    line += fmt::format("{}{:.3g} s segments: fit {}", line.empty() ? "" : " · ", horizon, quantity(fit, unit));
     if (std::isfinite(held_out)) line += ", held out " + quantity(held_out, unit);
   }
   if (line.empty()) return "";
   if (std::isfinite(comparison.start_horizon))
     line +=
         fmt::format(" · initial-state uncertainty stays below twice the noise for {:.2g} s", comparison.start_horizon);
-  return "restarted " + line + "\n";
+  return line + "\n";
 }
 
 std::string floor_line(const Comparison& comparison, const PooledScore& pooled) {

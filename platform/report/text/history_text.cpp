@@ -78,8 +78,9 @@ std::string horizon_table(const std::vector<HistoryRow>& rows, const std::string
   for (const HistoryRow& row : rows)
     if (!first && !row.horizons.empty()) first = &row;
   if (!first) return "";
-  std::vector<std::string> head = {"rev", channel + " over"};
-  for (const HorizonRow& one : first->horizons) head.insert(head.end(), {fmt::format("{:g} s", one.horizon), ""});
+  std::vector<std::string> head = {"rev", channel};
+  for (const HorizonRow& one : first->horizons)
+    head.insert(head.end(), {fmt::format("{:g} s segments", one.horizon), ""});
   std::vector<std::vector<std::string>> table = {head};
   for (const bool held_out : {false, true})
     for (const HistoryRow& row : rows) {
@@ -106,7 +107,8 @@ std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks
     text += channel_table(own, channel) + horizon_table(own, channel);
   }
   if (text.empty()) text = channel_table(rows, "never compared");
-  return text + fmt::format("held-out looks {}\n", held_out_looks) + setups_text(setups);
+  return text + "held-out trials compared " + counted(static_cast<std::size_t>(held_out_looks), "time") + "\n" +
+         setups_text(setups);
 }
 
 }  // namespace lacuna

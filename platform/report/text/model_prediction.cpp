@@ -45,7 +45,7 @@ std::string model_prediction_text(const ModelPrediction& prediction) {
   text += "A single model has no spread, so this prediction has no uncertainty band.\n";
   if (prediction.test.empty() && prediction.held_out > 0)
     text += fmt::format(
-        "{} left out: only lacuna compare reads held-out trials, because it counts the looks.\n",
+        "{} left out: only lacuna compare reads held-out trials, because it counts how often they are compared.\n",
         prediction.held_out == 1 ? "1 held-out trial is" : counted(prediction.held_out, "held-out trial") + " are");
   return text;
 }

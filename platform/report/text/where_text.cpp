@@ -99,15 +99,15 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
 std::string p_text(double p) { return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p); }
 
 std::string squares_text(const Finding& finding) {
-  return percent(finding.share) + (finding.view == ViewKind::acceleration ? " of the squared unexplained acceleration"
-                                                                          : " of the squared error");
+  return percent(finding.share) +
+         (finding.view == ViewKind::acceleration ? " of the squared residual acceleration" : " of the squared error");
 }
 
 std::string dependence_text(const Finding& finding, const FeatureTable& table) {
-  std::string text = fmt::format("{} of {} is explained by {} ({})", squares_text(finding), finding.channel,
+  std::string text = fmt::format("{} of {} depends on {} ({})", squares_text(finding), finding.channel,
                                  listed(names(finding.features, table, kNamed), "and"), p_text(finding.p));
   if (const std::vector<std::string> kinds = independent_kinds(finding, table); !kinds.empty())
-    text += ", not by " + listed(kinds, "or");
+    text += ", not on " + listed(kinds, "or");
   return text;
 }
 

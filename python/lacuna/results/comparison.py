@@ -278,8 +278,8 @@ class Comparison(Answer, Table):
     experiment : str
         Its name.
     held_out_look : int
-        How often held-out trials were looked at, this time included. Every look weakens them as evidence. 0: there
-        are none.
+        How often held-out trials were compared, this time included. Each comparison weakens them as evidence. 0:
+        there are none.
     refitted : bool
         Whether the values were fitted; else they are those of the file.
     fit : Fit

@@ -80,7 +80,7 @@ class History(Answer, Table):
     Attributes
     ----------
     held_out_looks : int
-        How often held-out trials were looked at.
+        How often held-out trials were compared.
     missing : str or None
         What is not stored of the current model yet, a sentence. None: nothing.
     next : str or None
