@@ -165,21 +165,22 @@ class Told {
     const std::string where = "joint." + lacking_.joint;
     if (!has_answer() && !found_.data->task().among.empty())
       return fmt::format(
-          "no effect that was tried describes the missing force on {}, which depends on {}; leave --among out to try "
-          "all effects",
+          "no effect that was tried describes the missing force on {}. The force depends on {}. Leave --among out to "
+          "try all effects",
           where, lacking_.kind);
     if (!has_answer())
-      return fmt::format("no effect of the library describes the missing force on {}, which depends on {}", where,
+      return fmt::format("no effect of the library describes the missing force on {}. The force depends on {}", where,
                          lacking_.kind);
     if (ends_library())
       return fmt::format(
-          "no effect of the library describes the missing force on {}, which depends on {}; the best effects leave "
-          "{:.0f} % of the total gain to it",
+          "no effect of the library describes the missing force on {}. The force depends on {}. With the best effects, "
+          "{:.0f} % of the possible gain remains",
           where, lacking_.kind, 100.0 * law_.share);
     const char* form =
-        has_another_form(result) ? ", as the answer does, so the answer's law probably has another form" : "";
-    return fmt::format("an unexplained force remains on {}, {:.0f} % of the total gain; it depends on {}{}", where,
-                       100.0 * law_.share, law_.kind, form);
+        has_another_form(result) ? ". The answer does, too, so its law probably has another formula" : "";
+    return fmt::format(
+        "with the answer, {:.0f} % of the possible gain remains: an unexplained force on {} depends on {}{}",
+        100.0 * law_.share, where, law_.kind, form);
   }
 
   /// Effects that are no part of the answer because their intervals include values without effect.
@@ -234,9 +235,9 @@ class Told {
     const double whole = longest_trial(found_.data->task().trials);
     if (!(longest > 0.0) || longest > kLongEnough * whole) return "";
     return fmt::format(
-        "the longest predictions are {:.2g} s, in recordings of {:.3g} s: in longer ones the uncertainty of the "
-        "initial state exceeds a quarter of the motion. Slower effects (a drift, warming, a clock error) cannot be "
-        "seen",
+        "the longest predictions are {:.2g} s (recordings: {:.3g} s), because in longer predictions the uncertainty of "
+        "the initial state exceeds a quarter of the motion. Slower effects (a drift, warming, a clock error) cannot be "
+        "detected",
         longest, whole);
   }
 

@@ -130,11 +130,12 @@ DataWarning too_little_doubt(double seconds, std::size_t trials, bool driven) {
                    "These recordings have no commands: if the motion ends by itself, record it {:.0f} times or more, "
                    "from other initial states and at a higher rate; else record {} s or more",
                    times, least);
-  return {
-      Severity::too_little,
-      fmt::format("the fit files hold {:.3g} s, {} of {} s: too little data, because chance alone often makes so few "
-                  "stretches agree. {}",
-                  seconds, stretches == 1 ? "1 stretch" : fmt::format("{} stretches", stretches), kStretch, advice)};
+  return {Severity::too_little,
+          fmt::format(
+              "too little data: the fit files have {:.3g} s, {} of {} s. With fewer than {:g} segments, chance alone "
+              "often makes all of them favour the same wrong model. {}",
+              seconds, stretches == 1 ? "1 segment" : fmt::format("{} segments", stretches), kStretch, kFewestPerTrial,
+              advice)};
 }
 
 }  // namespace

@@ -135,9 +135,11 @@ std::vector<DataWarning> feedback_checks(const DataCheckTask& task) {
   for (const auto& [names, one] : feedback)
     doubts.push_back(
         {Severity::note,
-         fmt::format("{}: up to {:.0f} % of the scatter of the command {} is the noise of {}, as if a controller with "
-                     "feedback made the command; parameters identified from such a recording are biased by that noise",
-                     fmt::join(one.files, ", "), 100.0 * one.most, names.first, names.second)});
+         fmt::format(
+             "{}: up to {:.0f} % of the scatter of the command {} is the noise of {}, as if a controller with "
+             "feedback made the command; this noise biases the identified parameters. Declare the controller in "
+             "[target.controllers]",
+             fmt::join(one.files, ", "), 100.0 * one.most, names.first, names.second)});
   return doubts;
 }
 

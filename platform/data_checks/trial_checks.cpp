@@ -62,16 +62,17 @@ bool is_shift(const CommandLags& lags, const std::vector<const CommandLagProfile
 std::string shifted_sentence(const AccelerationTable& table, const std::vector<const CommandLagProfile*>& profiles,
                              const Shift& shift, bool named) {
   const auto name = [&](std::size_t place) { return table.trials[profiles[place]->trial].name; };
-  const std::string left = fmt::format("one lag for all leaves {:.2g} times as much unexplained", 1.0 + shift.share);
+  const std::string reason =
+      fmt::format("with one common lag, the squared residual is {:.2g} times as large", 1.0 + shift.share);
   if (!named)
     return fmt::format(
         "the responses of {} and {} to their commands are {:.0f} ms apart ({}): the time stamps of one file are "
         "shifted; correct them or leave that file out",
-        name(0), name(1), 1e3 * std::abs(shift.by), left);
+        name(0), name(1), 1e3 * std::abs(shift.by), reason);
   return fmt::format(
       "{}: relative to its commands the motion comes {:.0f} ms {} than in the other files ({}): its time stamps are "
       "shifted; correct them or leave the file out",
-      name(shift.place), 1e3 * std::abs(shift.by), shift.by > 0.0 ? "later" : "earlier", left);
+      name(shift.place), 1e3 * std::abs(shift.by), shift.by > 0.0 ? "later" : "earlier", reason);
 }
 
 /// The trials whose lag differs from that of all others, one by one: first the one without which the others agree best.
@@ -166,7 +167,7 @@ std::string contradiction_sentence(const AccelerationTable& table, const Contrad
     return format_quantity(std::sqrt(squares / one.rows) * one.channel->deviation, one.channel->unit);
   };
   const std::string what = fmt::format(
-      "no common inertia, stiffness, damping, friction and offset explain {} in both; the unexplained acceleration is "
+      "no common inertia, stiffness, damping, friction and offset explain {} in both; the residual acceleration is "
       "{} (RMS) with common values and {} with separate ones",
       one.channel->channel, left(one.together), left(one.apart));
   if (!named)

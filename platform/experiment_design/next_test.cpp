@@ -169,10 +169,10 @@ std::string worth_text(double nats) {
 NextTest next_test(const NextTestTask& task) { return TestSearch(task).run(); }
 
 std::string to_string(const NextTest& test) {
-  return fmt::format("{}{}: {} nats per trial (a random test: {}), {} for {:g} nats (a random test: {})", test.line,
-                     test.setup ? " with " + setup_text(*test.setup) : "", worth_text(test.nats),
-                     worth_text(test.random_nats), trials_text(test.trials), kDecisiveNats,
-                     trials_text(test.random_trials));
+  return fmt::format(
+      "{}{}: {} nats of evidence per trial (a random test: {}), {} for odds of 150 to 1, {:g} nats (a random test: {})",
+      test.line, test.setup ? " with " + setup_text(*test.setup) : "", worth_text(test.nats),
+      worth_text(test.random_nats), trials_text(test.trials), kDecisiveNats, trials_text(test.random_trials));
 }
 
 }  // namespace lacuna

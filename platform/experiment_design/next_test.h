@@ -94,8 +94,9 @@ struct NextTest {
 /// Biometrika 62 (1975) 57-70.
 NextTest next_test(const NextTestTask& task);
 
-/// "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats per trial (a random test: 0.8), 1 trial for 5 nats (a random test: 7
-/// trials)", with " with setup heavy (body.load.mass = 0.49 kg)" before the colon where there is one.
+/// "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats of evidence per trial (a random test: 0.8), 1 trial for odds of 150 to
+/// 1, 5 nats (a random test: 7 trials)", with " with setup heavy (body.load.mass = 0.49 kg)" before the colon where
+/// there is one.
 std::string to_string(const NextTest& test);
 
 }  // namespace lacuna

@@ -51,7 +51,7 @@ TEST(SettlingTest, TellsTheAnswerFromTheOneThatIsAlike) {
   const Diagnosis result = proposed(found);
   ASSERT_NE(result.next_test, "") << testing::PrintToString(result.findings);
   EXPECT_THAT(result.next_test, testing::HasSubstr("motor"));
-  EXPECT_THAT(result.next_test_worth, testing::HasSubstr("1 trial for 5 nats"));
+  EXPECT_THAT(result.next_test_worth, testing::HasSubstr("1 trial for odds of 150 to 1, 5 nats"));
   EXPECT_TRUE(result.findings.empty());
 }
 

@@ -24,7 +24,8 @@ Trial trial(const std::string& name, bool held_out) {
 
 TEST(CheckSummary, SaysWhatAnExperimentHas) {
   Experiment experiment;
-  experiment.model.robot = "declared";
+  experiment.model.declared.emplace();
+  experiment.model.file = "robots/pendulum.toml";
   ModelDefinition definition;
   definition.structure.robot = read_robot(LACUNA_SOURCE_DIRECTORY "/tests/config/good/pendulum.toml");
   definition.free = {{"body.arm.mass", "kg", 0.1, 2.0, 0.55, Scale::linear, ""}};
@@ -46,7 +47,7 @@ TEST(CheckSummary, SaysWhatAnExperimentHas) {
   notes[0].location.line = 3;
   notes[0].message = "a gap";
   EXPECT_EQ(check_summary(experiment, definition, trials, notes),
-            "robot     pendulum (declared), 1 body\n"
+            "robot     pendulum (pendulum.toml), 1 body\n"
             "joints    hinge\n"
             "actuators servo\n"
             "sensors   angle\n"
@@ -75,7 +76,7 @@ TEST(CheckSummary, SaysWhatAnExperimentHasNot) {
   Experiment experiment;
   experiment.model.robot = "quadruped";
   EXPECT_EQ(check_summary(experiment, definition, {}, {}),
-            "robot     ball (quadruped), 2 bodies\n"
+            "robot     ball (plugin quadruped), 2 bodies\n"
             "joints    none\nactuators none\nsensors   none\nfree      none\neffects   none\ntrials    none\n");
 }
 

@@ -31,7 +31,7 @@ std::vector<DataWarning> amount_of(RecordedPendulum& rig, const std::vector<doub
 TEST(AmountOfData, IsEnoughFromSevenStretchesOn) {
   RecordedPendulum rig;
   EXPECT_THAT(limits_among(amount_of(rig, {2.0, 1.5})), IsEmpty());
-  EXPECT_THAT(limits_among(amount_of(rig, {2.0, 1.4})), ElementsAre(HasSubstr("hold 3.4 s, 6 stretches")));
+  EXPECT_THAT(limits_among(amount_of(rig, {2.0, 1.4})), ElementsAre(HasSubstr("have 3.4 s, 6 segments")));
 }
 
 TEST(AmountOfData, IsNotDoubtedWithoutAFitTrial) {

@@ -244,7 +244,7 @@ TEST(DataDoubts, NameOneShortTrialAsALimit) {
   rig.trials = {recorded({}, "multi.csv", multisine, 2.0, 1)};
   EXPECT_THAT(faults_of(rig), IsEmpty());
   EXPECT_THAT(limits_among(doubts_of(rig)),
-              ElementsAre(AllOf(HasSubstr("hold 2 s, 4 stretches"), HasSubstr("Record 3.5 s or more"))));
+              ElementsAre(AllOf(HasSubstr("have 2 s, 4 segments"), HasSubstr("Record 3.5 s or more"))));
 }
 
 /// What is let go and comes to its end in 0.64 s is not recorded longer, but again: six times make 3.84 s.
@@ -253,7 +253,7 @@ TEST(DataDoubts, AskForMoreRecordingsOfAMotionThatEndsByItself) {
   rig.trials = {recorded({}, "fall.csv", [](double) { return 0.0; }, 0.64, 1, {.angle = 1.0})};
   EXPECT_THAT(faults_of(rig), IsEmpty());
   EXPECT_THAT(limits_among(doubts_of(rig)),
-              ElementsAre(AllOf(HasSubstr("hold 0.64 s, 1 stretch of 0.5 s"), HasSubstr("record it 6 times or more"))));
+              ElementsAre(AllOf(HasSubstr("have 0.64 s, 1 segment of 0.5 s"), HasSubstr("record it 6 times or more"))));
 }
 
 TEST(DataDoubts, NoteThatNothingIsHeldOutOrThatThereIsOneFile) {

@@ -99,8 +99,8 @@ TEST_F(OutsideRig, IsAskedWhatItIsByCheck) {
   ASSERT_EQ(good.exit_code, 0) << good.errors;
   EXPECT_THAT(
       good.output,
-      HasSubstr("process \"test rig\", takes whole command series and commands every control period, reads heat "
-                "[1], reads angle [deg], drives motor -600 to 600 mN*m"));
+      HasSubstr("process \"test rig\": accepts whole command series (series) and one command per reading (exchange); "
+                "sensor heat; sensor angle in deg; actuator motor, -600 to 600 mN·m"));
   const Outcome wrong = lacuna({"check"}, "wrong names");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.errors, AllOf(HasSubstr("the sensor \"angle\", which the target does not have"),
@@ -129,7 +129,7 @@ TEST_F(OutsideRig, CarriesOutTrialsThatFitAndCompareTake) {
   ASSERT_EQ(program_.run({"trial", "rig.toml", "--test", kSteps, "--set", "target.version=\"2\""}).exit_code, 0);
   const Outcome compare = lacuna({"compare"});
   ASSERT_EQ(compare.exit_code, 0) << compare.errors;
-  EXPECT_THAT(compare.output, HasSubstr("1 fit trial, 1 held out")) << "the third is of another version";
+  EXPECT_THAT(compare.output, HasSubstr("1 fit trial, 1 held-out trial")) << "the third is of another version";
   EXPECT_EQ(sql("SELECT count(*) FROM carried_out"), "3");
 }
 

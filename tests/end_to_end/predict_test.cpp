@@ -52,7 +52,7 @@ TEST_F(PredictCommand, TellsABandThatTrialsNewToTheModelsSupport) {
   ASSERT_EQ(told.exit_code, 0) << told.errors;
   EXPECT_THAT(told.output, HasSubstr("run 1, pass 3 · 2 models · triangle motor"));
   EXPECT_THAT(told.output, HasSubstr("2 models with more than twice the best model's error"));
-  EXPECT_THAT(told.output, HasSubstr("3 trials new to the models at the time"));
+  EXPECT_THAT(told.output, HasSubstr("3 trials were predicted before a model was fitted to them"));
   EXPECT_THAT(told.output, HasSubstr("→ lacuna trial smoke/simulated-pendulum.toml --test 'triangle"));
   EXPECT_THAT(program_.read("band.svg"), HasSubstr("95 % band"));
   const std::vector<std::string> lines = lines_of(program_.read("band.csv"));
@@ -75,7 +75,7 @@ TEST_F(PredictCommand, TakesTestsOfTheRunAndFilesOfCommands) {
   const std::string number = lines_of(tests.output).back();
   const Outcome numbered = predict("test " + number);
   ASSERT_EQ(numbered.exit_code, 0) << numbered.errors;
-  EXPECT_THAT(numbered.output, HasSubstr("carried out as trial 3, new to the models"));
+  EXPECT_THAT(numbered.output, HasSubstr("carried out as trial 3, to which the models were not fitted"));
   EXPECT_THAT(predict("0").output, HasSubstr("carried out as trial 0, to which the models were fitted"));
   expect_bad(predict("test 1000000"), "run 1 has no such test");
 
@@ -90,7 +90,7 @@ TEST_F(PredictCommand, AsksTheNewestRunOrTheOneThatIsNamed) {
   ASSERT_EQ(run(1, {"--replicates", "2"}).exit_code, 0);
   const Outcome newest = predict(kLine);
   EXPECT_THAT(newest.output, HasSubstr("run 2, pass 1"));
-  EXPECT_THAT(newest.output, HasSubstr("uncalibrated: 1 trial was new to the models at the time"));
+  EXPECT_THAT(newest.output, HasSubstr("uncalibrated: 1 trial was predicted before a model was fitted to it"));
   EXPECT_THAT(newest.output, HasSubstr("--set experiment.passes=4"));
   EXPECT_THAT(predict(kLine, {"--run", "1"}).output, HasSubstr("run 1, pass 1"));
   expect_bad(predict(kLine, {"--run", "3"}), "has no run 3");

@@ -135,7 +135,7 @@ TEST_F(RecordedSetups, AreKnownOnceInTheOrderOfTheFile) {
   EXPECT_THAT(known[0].names, ElementsAre("light", "test"));
   EXPECT_THAT(known[0].recordings, ElementsAre("light.csv", "test.csv"));
   EXPECT_EQ(setup_text(known[0]), "setup light (body.body.mass = 0.7 kg)");
-  EXPECT_EQ(setup_text(known[1]), "setup heavy (body.body.mass fitted to this setup alone)");
+  EXPECT_EQ(setup_text(known[1]), "setup heavy (body.body.mass fitted to this setup only)");
   EXPECT_EQ(find_setup(known, "test"), known[0]);
 }
 

@@ -222,7 +222,7 @@ TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
   EXPECT_EQ(test.setup->name(), "steps");
   EXPECT_EQ(test.evaluations, task.evaluations);
   EXPECT_GT(test.nats, 10.0);
-  EXPECT_THAT(to_string(test), testing::HasSubstr(" s with setup steps (body.arm.mass fitted to this setup alone): "));
+  EXPECT_THAT(to_string(test), testing::HasSubstr(" s with setup steps (body.arm.mass fitted to this setup only): "));
   const TestJudge judge(task);
   const Genome genome = parse_test_line(task.space, test.line).genome;
   EXPECT_NEAR(judge.nats(genome, 0, "sine"), 0.0, 1e-9) << "both know that weight";
@@ -253,8 +253,8 @@ TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
   const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {}, {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
   EXPECT_EQ(
       to_string(test),
-      "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats per trial (a random test: 12), 1 trial for 5 nats (a "
-      "random test: 1 trial)");
+      "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats of evidence per trial (a random test: 12), 1 trial for "
+      "odds of 150 to 1, 5 nats (a random test: 1 trial)");
 }
 
 TEST(NextTest, SaysWhatItCannotTellApart) {

@@ -42,9 +42,9 @@ TEST(PredictionText, SaysThatModelsAgreeMoreThanTheyAreRight) {
             "bench · run 3, pass 4 · 8 models · test 17\n"
             "channel  95 % band ±  at most ±      at  new trials inside  × spread\n"
             "angle      7.07 mrad  8.00 mrad  0.50 s               90 %         2\n"
-            "4 trials new to the models at the time: 90 % of their readings lie within the 95 % band\n"
-            "the errors of the models exceed their spread: the band is widened to 2 × the spread; with factors from "
-            "the other trials, it contains 100 % of a trial's readings\n");
+            "4 trials were predicted before a model was fitted to them: 90 % of the readings lie within the 95 % band\n"
+            "the models are less accurate than their spread suggests: the band is widened to 2 × the spread. "
+            "Cross-validated (factor from the other trials): the band contains 100 % of the readings of a trial\n");
 }
 
 TEST(PredictionText, LeavesABandThatHolds) {
@@ -56,15 +56,17 @@ TEST(PredictionText, LeavesABandThatHolds) {
 TEST(PredictionText, DoesNotSpeakOfAgreementOfOneModel) {
   PredictionReport report = report_with(4, 2.0);
   report.prediction.models = 1;
-  EXPECT_THAT(prediction_text(report),
-              testing::HasSubstr(
-                  "the errors of the model exceed the sensor noise: the band is widened to 2 × the noise; with"));
+  EXPECT_THAT(
+      prediction_text(report),
+      testing::HasSubstr(
+          "the model is less accurate than the sensor noise suggests: the band is widened to 2 × the noise. Cross"));
 }
 
 TEST(PredictionText, SaysWhereTooFewTrialsSupportASpread) {
   const std::string text = prediction_text(report_with(2, 2.0));
   EXPECT_THAT(
-      text, testing::HasSubstr("uncalibrated: 2 trials were new to the models at the time, and a calibration takes 3"));
+      text, testing::HasSubstr(
+                "uncalibrated: 2 trials were predicted before a model was fitted to them, and a calibration takes 3"));
   EXPECT_THAT(text, testing::HasSubstr("4.00 mrad")) << "not widened";
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("new trials inside")));
 }
@@ -78,7 +80,7 @@ TEST(PredictionText, NamesStructuresLostModelsAndWhatWasNotMeasured) {
   report.noise = {std::numeric_limits<double>::infinity()};
   report.measured = MeasuredTest{2, false, {}};
   const std::string text = prediction_text(report);
-  EXPECT_THAT(text, testing::HasSubstr("carried out as trial 2, new to the models"));
+  EXPECT_THAT(text, testing::HasSubstr("carried out as trial 2, to which the models were not fitted"));
   EXPECT_THAT(text, testing::HasSubstr("dry friction       5\n-                  3\n"));
   EXPECT_THAT(text, testing::HasSubstr("1 of 2 models cannot simulate the test and is left out: it exploded"));
   EXPECT_THAT(text, testing::HasSubstr("3 of 5 models are copies of another and do not count"));

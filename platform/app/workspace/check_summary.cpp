@@ -150,8 +150,9 @@ std::string note_lines(const std::vector<ReadingNote>& notes) {
 std::string check_summary(const Experiment& experiment, const ModelDefinition& definition,
                           const std::vector<Trial>& trials, const std::vector<ReadingNote>& notes) {
   const RobotSpec& robot = definition.structure.robot;
-  return summary_line("robot", fmt::format("{} ({}), {}", robot.name, experiment.model.robot,
-                                           counted(robot.bodies.size(), "body"))) +
+  const std::string from =
+      experiment.model.declared ? experiment.model.file.filename().string() : "plugin " + experiment.model.robot;
+  return summary_line("robot", fmt::format("{} ({}), {}", robot.name, from, counted(robot.bodies.size(), "body"))) +
          summary_line("joints", names(robot.joints)) + summary_line("actuators", names(robot.actuators)) +
          summary_line("sensors", names(robot.sensors)) + free_lines(definition.free) +
          effect_lines(definition.effects) + trial_lines(trials) + channel_lines(experiment.target.recording, trials) +

@@ -2,6 +2,7 @@
 
 #include "evaluation/prediction/test_space.h"
 #include "fitting/starts/start_states.h"
+#include "foundation/text/unit_text.h"
 
 #include <fmt/format.h>
 
@@ -37,14 +38,15 @@ std::unique_ptr<ProcessTarget> outside_target(const Experiment& experiment, cons
 }
 
 std::string target_summary(const Hello& hello) {
-  std::string text = fmt::format("process \"{}\", takes {}", hello.name,
-                                 !hello.exchanges     ? "whole command series"
-                                 : hello.takes_series ? "whole command series and commands every control period"
-                                                      : "commands every control period");
-  for (const TargetSensor& sensor : hello.sensors) text += fmt::format(", reads {} [{}]", sensor.name, sensor.unit);
+  constexpr const char *kSeries = "whole command series (series)", *kExchange = "one command per reading (exchange)";
+  std::string text =
+      fmt::format("process \"{}\": accepts {}{}{}", hello.name, hello.takes_series ? kSeries : "",
+                  hello.takes_series && hello.exchanges ? " and " : "", hello.exchanges ? kExchange : "");
+  for (const TargetSensor& sensor : hello.sensors)
+    text += "; sensor " + sensor.name + (sensor.unit == "1" ? "" : " in " + unit_text(sensor.unit));
   for (const TargetActuator& actuator : hello.actuators)
-    text += fmt::format(", drives {} {:.4g} to {:.4g} {}", actuator.name, actuator.lower / actuator.to_si,
-                        actuator.upper / actuator.to_si, actuator.unit);
+    text += fmt::format("; actuator {}, {:.4g} to {:.4g} {}", actuator.name, actuator.lower / actuator.to_si,
+                        actuator.upper / actuator.to_si, unit_text(actuator.unit));
   return text;
 }
 

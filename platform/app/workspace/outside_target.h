@@ -20,8 +20,8 @@ using TargetNotes = std::function<void(const std::string&)>;
 std::unique_ptr<ProcessTarget> outside_target(const Experiment& experiment, const ModelDefinition& model,
                                               std::uint64_t noise_seed, TargetNotes notes = {});
 
-/// What a target says of itself, a line: `process "pendulum", takes whole command series, reads angle [rad], drives
-/// motor -0.6 to 0.6 N*m`.
+/// What a target says of itself, a line: `process "pendulum": accepts whole command series (series); sensor angle in
+/// rad; actuator motor, -0.6 to 0.6 N·m`.
 std::string target_summary(const Hello& hello);
 
 }  // namespace lacuna

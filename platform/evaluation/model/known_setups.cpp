@@ -90,7 +90,7 @@ std::string settings_text(const KnownSetup& setup) {
   std::vector<std::string> texts;
   for (const KnownSetup::Setting& set : setup.settings)
     texts.push_back(fmt::format("{} = {:.6g}{}", set.address, set.value, set.unit == "1" ? "" : " " + set.unit));
-  for (const std::string& address : setup.own) texts.push_back(address + " fitted to this setup alone");
+  for (const std::string& address : setup.own) texts.push_back(address + " fitted to this setup only");
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 

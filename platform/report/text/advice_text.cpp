@@ -93,11 +93,10 @@ Advice advice_on_explained(const Comparison& comparison, const PooledScore& fit,
                         "effect is visible",
                         held_out, most_explained(comparison, *worst)),
             "", true};
-  return {
-      fmt::format("{}, largest in {} at {:.2f} s. Either this motion excites an effect that the fit files do not, or "
-                  "the recording differs.",
-                  held_out, worst->worst_trial, worst->worst_time),
-      "move a held-out file to target.files, then " + diagnose};
+  return {fmt::format("{}, largest in {} at {:.2f} s. Either this motion excites an effect that the fit files do not "
+                      "excite, or the rig or its load was different in this recording.",
+                      held_out, worst->worst_trial, worst->worst_time),
+          "move a held-out file to target.files, then " + diagnose};
 }
 
 }  // namespace

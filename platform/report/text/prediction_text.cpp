@@ -28,8 +28,9 @@ std::string title_line(const PredictionReport& report) {
   if (report.setup)
     line += " · " + setup_text(*report.setup) + (report.setup_is_asked ? "" : " (the first recording's)");
   if (report.measured)
-    line += fmt::format(" · carried out as trial {}, {}", report.measured->trial,
-                        report.measured->fitted ? "to which the models were fitted" : "new to the models");
+    line += fmt::format(
+        " · carried out as trial {}, {}", report.measured->trial,
+        report.measured->fitted ? "to which the models were fitted" : "to which the models were not fitted");
   return line + "\n";
 }
 
@@ -86,25 +87,28 @@ bool is_widened(const BandSupport& support) {
 
 std::string too_few(std::size_t trials) {
   return fmt::format(
-      "uncalibrated: {} {} new to the models at the time, and a calibration takes {}; the band is the spread of the "
-      "models and the sensor noise\n",
-      counted(trials, "trial"), trials == 1 ? "was" : "were", kFewestHeldOut);
+      "uncalibrated: {} predicted before a model was fitted to {}, and a calibration takes {}; the band is the spread "
+      "of the models and the sensor noise\n",
+      counted(trials, "trial") + (trials == 1 ? " was" : " were"), trials == 1 ? "it" : "them", kFewestHeldOut);
 }
 
 std::string support_lines(const PredictionReport& report) {
   const BandSupport& support = report.support;
   if (!support.enough()) return too_few(support.all.trials);
   const bool single = report.prediction.models == 1;
-  std::string text = fmt::format("{} new to the models at the time: {} of their readings lie within the 95 % band\n",
-                                 counted(support.all.trials, "trial"), share_text(support.all.inside));
+  std::string text =
+      fmt::format("{} were predicted before a model was fitted to them: {} of the readings lie within the 95 % band\n",
+                  counted(support.all.trials, "trial"), share_text(support.all.inside));
   if (!is_widened(support))
     return text + (single ? "the band is the sensor noise\n"
                           : "the spread of the models matches their errors: the band is not widened\n");
-  return text + fmt::format("{} × {}; with factors from the other trials, it contains {} of a trial's readings\n",
-                            (single ? "the errors of the model exceed the sensor noise: the band is widened to "
-                                    : "the errors of the models exceed their spread: the band is widened to ") +
-                                widenings(support),
-                            single ? "the noise" : "the spread", share_text(support.widened));
+  return text + fmt::format(
+                    "{} × {}. Cross-validated (factor from the other trials): the band contains {} of the "
+                    "readings of a trial\n",
+                    (single ? "the model is less accurate than the sensor noise suggests: the band is widened to "
+                            : "the models are less accurate than their spread suggests: the band is widened to ") +
+                        widenings(support),
+                    single ? "the noise" : "the spread", share_text(support.widened));
 }
 
 std::string minded_lines(const PredictionReport& report) {
