@@ -95,15 +95,15 @@ std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& op
 
 void shapes(const ShapesOptions& options) {
   const LogLeft log(options.database);
-  Database database = Database::open_read_only(options.database);
+  Database database = Database::open_read_only(options.database, when_interrupted());
   const std::vector<ShapeStudy> studies = read_studies(database, options);
   make_output_folder(options.folder);
   fmt::print("{}", shape_table(studies));
   const auto place = [&](const char* name) { return file_for_picture(options.folder, name); };
   const std::filesystem::path errors = place("shape_errors.svg"), progress = place("shape_progress.svg"),
                               models = place("shape_models.svg");
-  write_svg(shape_errors(studies), errors);
-  write_svg(shape_progress(studies), progress);
+  write_svg(shape_errors(studies), errors, when_interrupted());
+  write_svg(shape_progress(studies), progress, when_interrupted());
   std::vector<RobotRow> rows;
   for (const ShapeStudy& study : studies) rows.push_back({study.experiment, study.samples});
   write_robots_svg("Models of a typical run of each experiment, in their start position", rows, models);

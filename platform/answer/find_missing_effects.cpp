@@ -10,7 +10,6 @@
 #include "data_checks/data_checks.h"
 #include "data_checks/feedback_bias.h"
 #include "fitting/numerics/progress_meter.h"
-#include "foundation/processes/interrupt.h"
 #include "search/effect_search.h"
 
 #include <algorithm>
@@ -31,8 +30,8 @@ std::vector<std::string> not_examined(const DiagnosisTask& task, const SearchRes
 }
 
 EffectSearchTask search_task(const DiagnosisTask& task, ProgressMeter& meter) {
-  EffectSearchTask search{task.experiment, task.catalog, task.trials, task.definition.start_values(),
-                          task.among,      task.threads};
+  EffectSearchTask search{task.experiment, task.catalog,          task.trials, task.definition.start_values(),
+                          task.among,      task.work.unreported()};
   search.known = task.known;
   search.keep = task.keep;
   search.note = [&meter](const std::string& what) {
@@ -52,9 +51,9 @@ void look_for_feedback(const DiagnosisTask& task, const SearchResult& found, Pro
   std::vector<std::string> findings;
   try {
     findings =
-        feedback_bias({answer.definition, *answer.model, task.trials, answer.experiment.fit, task.seed, task.threads});
+        feedback_bias({answer.definition, *answer.model, task.trials, answer.experiment.fit, task.seed, task.work});
   } catch (const TimeIsUp&) {  // the answer stands
-    lift_time_limit();
+    task.work.stop.lift_limit();
     findings = {"feedback bias was not checked: the time limit was reached"};
   }
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());
@@ -70,14 +69,14 @@ Diagnosis diagnose(const DiagnosisTask& task, ProgressMeter& meter) {
   const SearchResult found = search_effects(search_task(task, meter));
   Diagnosis result = findings_of(found);
   if (found.stopped) {
-    mark_stopped({"the search", not_examined(task, found), {}}, found.sets.size(), result);
+    mark_stopped({"the search", not_examined(task, found), {}}, task.work.stop, found.sets.size(), result);
   } else {
     tell_probability(result, evidence_of(found));
     propose_settling_test(task, found, result);
     look_for_feedback(task, found, meter, result);
   }
   const std::vector<double> fitted = FittedValues(found, found.sets.front()).values();
-  add_doubts(data_checks({task.definition, task.model, task.trials, fitted, true}), result);
+  add_doubts(data_checks({task.definition, task.model, task.trials, fitted, true, task.work.stop}), result);
   return result;
 }
 
@@ -88,7 +87,7 @@ Diagnosis find_missing_effects(const DiagnosisTask& task) {
     throw Error(
         "no trial to diagnose: name a recorded file that is not held out; for a simulated target, make trials with "
         "lacuna trial");
-  ProgressMeter meter(task.progress);
+  ProgressMeter meter(task.work.progress);
   meter.set_parts(kSteps);
   Diagnosis result;
   try {
@@ -96,8 +95,9 @@ Diagnosis find_missing_effects(const DiagnosisTask& task) {
   } catch (const NothingPredictable& reason) {
     result = without_predictions(reason);
   } catch (const TimeIsUp&) {
-    lift_time_limit();
-    result = stopped_before_search(task.experiment, task.catalog, task.definition, task.among, "the fit of the model");
+    task.work.stop.lift_limit();
+    result = stopped_before_search(task.experiment, task.catalog, task.definition, task.among, "the fit of the model",
+                                   task.work.stop);
   }
   result.effect_filter = task.among;
   result.seconds = meter.seconds();

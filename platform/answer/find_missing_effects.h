@@ -3,7 +3,7 @@
 #include "answer/diagnosis.h"
 #include "config/schema/experiment.h"
 #include "evaluation/model/model_definition.h"
-#include "fitting/numerics/progress.h"
+#include "foundation/work.h"
 #include "search/kept_fits.h"
 
 #include <cstdint>
@@ -22,15 +22,14 @@ struct DiagnosisTask {
   const std::vector<Trial>& trials;     ///< held-out trials are read only after the answer is chosen
   std::vector<std::string> among = {};  ///< effects to try; empty: all
   std::uint64_t seed = 1;               ///< seed of the proposed test
-  int threads = 1;
-  ProgressCallback progress = {};
+  Work work = {};
   const KeptFits* known = nullptr;                 ///< fits of an earlier call for the same task; null: none
   std::function<void(const KeptFits&)> keep = {};  ///< receives all fits after each new one, for a later call
 };
 
 /// METHOD: which effects the model lacks (docs/explanation/diagnosis.md). The results of the data checks stand beside
-/// the verdict. When the time limit is reached (foundation/processes/interrupt.h), the limit is lifted and the
-/// diagnosis is `stopped`. Throws `Error` where the trials do not fit the model, and `Interrupted`.
+/// the verdict. When the time limit of `work` is reached, the limit is lifted and the diagnosis is `stopped`. Throws
+/// `Error` where the trials do not fit the model, and `Interrupted`.
 Diagnosis find_missing_effects(const DiagnosisTask& task);
 
 }  // namespace lacuna

@@ -83,7 +83,7 @@ void propose_settling_test(const DiagnosisTask& task, const SearchResult& found,
   const FittedValues of_answer(found, answer), of_other(found, *other);
   const std::optional<NextTest> test = propose_test(
       task.catalog, task.experiment, rival(answer, of_answer), rival(*other, of_other), task.trials,
-      [&](double period) { return conditions(found, result.horizons, period); }, task.seed, task.threads);
+      [&](double period) { return conditions(found, result.horizons, period); }, task.seed, task.work.unreported());
   if (test) state(*test, result);
 }
 

@@ -2,7 +2,6 @@
 
 #include "candidates/hypothesis.h"
 #include "foundation/text/counted.h"
-#include "foundation/processes/interrupt.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,12 +30,12 @@ std::vector<std::string> candidate_names(const Experiment& experiment, const Plu
   return names;
 }
 
-void mark_stopped(StoppedSearch stop, std::size_t kept_models, Diagnosis& diagnosis) {
+void mark_stopped(StoppedSearch stop, const Stop& work, std::size_t kept_models, Diagnosis& diagnosis) {
   diagnosis.probability = std::numeric_limits<double>::quiet_NaN();
   diagnosis.calibrated = false;
   stop.next = what_to_do(kept_models);
   std::vector<std::string> sentences = {
-      fmt::format("The search was {}, during: {}.", stopped_by_time_limit(), stop.during),
+      fmt::format("The search was {}, during: {}.", work.reason_of_limit(), stop.during),
       diagnosis.ranking.empty()
           ? "No candidate was examined."
           : "The verdict is preliminary: it covers the candidates examined so far and states no probability."};
@@ -49,9 +48,9 @@ void mark_stopped(StoppedSearch stop, std::size_t kept_models, Diagnosis& diagno
 
 Diagnosis stopped_before_search(const Experiment& experiment, const PluginCatalog& catalog,
                                 const ModelDefinition& definition, const std::vector<std::string>& among,
-                                std::string during) {
+                                std::string during, const Stop& work) {
   Diagnosis nothing;
-  mark_stopped({std::move(during), candidate_names(experiment, catalog, definition, among), {}}, 0, nothing);
+  mark_stopped({std::move(during), candidate_names(experiment, catalog, definition, among), {}}, work, 0, nothing);
   return nothing;
 }
 

@@ -108,9 +108,10 @@ class Maker {
         double share)
       : task_(task), noise_(noise), trials_(trials), share_(share) {
     predictors_.reserve(task.definition.structure.robot.actuators.size() + 1);
-    predictors_.emplace_back(task.model, silenced(trials, "", share), 1);
+    const Work work{1, task.stop};
+    predictors_.emplace_back(task.model, silenced(trials, "", share), work);
     for (const ActuatorSpec& actuator : task.definition.structure.robot.actuators)
-      predictors_.emplace_back(task.model, silenced(trials, actuator.name, share), 1);
+      predictors_.emplace_back(task.model, silenced(trials, actuator.name, share), work);
     states_.emplace(task.definition.structure.robot, predictors_.front(), noise);
   }
 

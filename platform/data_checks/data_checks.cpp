@@ -24,7 +24,7 @@ std::vector<DataWarning> motion_doubts(const DataCheckTask& all) {
     return !trial.held_out && !is_saturated(all.definition.structure.robot, trial);
   });
   if (whole.empty()) return {};
-  const DataCheckTask task{all.definition, all.model, whole, all.values};
+  const DataCheckTask task{all.definition, all.model, whole, all.values, false, all.stop};
   const std::vector<ChannelNoise> noise = sensor_noise(task.definition.structure.robot, task.trials);
   const AccelerationTable table = acceleration_table(task, noise);
   // A wrong unit explains the other findings.

@@ -3,6 +3,7 @@
 #include <lacuna/trial.h>
 
 #include "evaluation/model/model_definition.h"
+#include "foundation/processes/stop.h"
 
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct DataCheckTask {
   const std::vector<Trial>& trials;   ///< held-out ones are counted, not read
   const std::vector<double>& values;  ///< of the model, fitted or initial guesses
   bool saturation_is_tried = false;   ///< an effect that limits a sensor's range is among the candidates
+  Stop stop = {};                     ///< of the work for which they are made
 };
 
 }  // namespace lacuna

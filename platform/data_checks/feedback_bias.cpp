@@ -66,7 +66,7 @@ std::vector<std::string> feedback_bias(const FitTask& task) {
   if (const std::vector<WrongController> wrong = wrong_controllers(task.trials); !wrong.empty())
     return sentences_on(wrong);
   const auto fitted_to = [&](const std::vector<Trial>& trials) {
-    return fit({task.definition, task.model, trials, task.options, task.seed, task.threads});
+    return fit({task.definition, task.model, trials, task.options, task.seed, task.work.unreported()});
   };
   const FitResult replayed = fitted_to(task.trials), looped = fitted_to(in_the_loop(task.trials));
   std::vector<std::string> biased;

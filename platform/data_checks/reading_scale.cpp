@@ -100,7 +100,7 @@ class ScaleSearch {
 
   Squares squares(const std::vector<std::string>& channels, double factor) const {
     const std::vector<Trial> scaled = divided(trials_, channels, factor);
-    const DataCheckTask task{task_.definition, task_.model, scaled, values_};
+    const DataCheckTask task{task_.definition, task_.model, scaled, values_, false, task_.stop};
     const AccelerationTable table = acceleration_table(task, sensor_noise(task_.definition.structure.robot, scaled));
     Squares sum;
     for (const StackedAccelerations& one : stacked(table)) {

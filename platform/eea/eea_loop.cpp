@@ -131,7 +131,7 @@ void go_through(const EeaRun& run, const EeaTarget& target, EeaState& state) {
 }  // namespace
 
 void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
-  LocalEvaluations here(run.definition, run.threads);
+  LocalEvaluations here(run.definition, run.work);
   EeaRun evaluated = run;
   if (!evaluated.evaluations) evaluated.evaluations = &here;
   go_through(evaluated, target, state);

@@ -3,7 +3,7 @@
 #include "eea/ensemble/judges.h"
 #include "eea/trials/scored_trials.h"
 #include "evaluation/prediction/test_predictor.h"
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/parallel.h"
 #include "foundation/plugins/plugin_call.h"
 
@@ -14,9 +14,9 @@ namespace lacuna {
 
 /// The judges and each thread's memory for their predictions.
 struct LocalEvaluations::Panel {
-  Panel(const EeaDefinition& of, int threads, const EeaState& state)
+  Panel(const EeaDefinition& of, const Work& work, const EeaState& state)
       : definition(of),
-        judges(of, threads, state),
+        judges(of, work, state),
         predictions(static_cast<std::size_t>(judges.workers()), std::vector<TestPrediction>(judges.size())) {}
 
   void judge(const Genome& genome, int worker, JudgedTest& judged) {
@@ -44,14 +44,14 @@ struct LocalEvaluations::Panel {
   std::vector<std::vector<TestPrediction>> predictions;  // by worker
 };
 
-LocalEvaluations::LocalEvaluations(const EeaDefinition& definition, int threads)
-    : definition_(definition), threads_(threads) {}
+LocalEvaluations::LocalEvaluations(const EeaDefinition& definition, const Work& work)
+    : definition_(definition), work_(work) {}
 LocalEvaluations::~LocalEvaluations() = default;
 
 void LocalEvaluations::begin_estimation(const EeaState& state) {
   panel_.reset();
   scorer_ = std::make_unique<ModelScorer>(*definition_.compiled, scored_trials(definition_, state), definition_.metric,
-                                          threads_, &definition_.model, definition_.profiled);
+                                          work_, &definition_.model, definition_.profiled);
 }
 
 std::vector<ModelScore> LocalEvaluations::score(std::span<const CandidateModel> candidates, std::optional<double> bar) {
@@ -65,7 +65,7 @@ std::vector<ModelScore> LocalEvaluations::score(std::span<const CandidateModel> 
 
 std::uint64_t LocalEvaluations::begin_exploration(const EeaState& state) {
   scorer_.reset();
-  panel_ = std::make_unique<Panel>(definition_, threads_, state);
+  panel_ = std::make_unique<Panel>(definition_, work_, state);
   return panel_->judges.steps();
 }
 
@@ -79,14 +79,14 @@ std::vector<JudgedTest> LocalEvaluations::judge(std::span<const Genome> tests) {
 ModelScore LocalEvaluations::score_on(const KnownModel& model, const TargetTrial& trial, int pass) {
   const Evaluation evaluation;
   const ModelScorer scorer(*definition_.compiled, {definition_.scored(trial.drive, trial.trial, pass)},
-                           definition_.metric, 1, &definition_.model);
+                           definition_.metric, {1, work_.stop}, &definition_.model);
   ModelScore score;
   scorer.score(model.model, std::nullopt, 0, score);
   return score;
 }
 
 ForetoldTrial LocalEvaluations::foretell(const KnownModel& model, const TargetTrial& trial) {
-  const TestPredictor predictor(*definition_.compiled, definition_.sample_times, 1, &definition_.model);
+  const TestPredictor predictor(*definition_.compiled, definition_.sample_times, {1, work_.stop}, &definition_.model);
   ForetoldTrial foretold;
   std::string reason;
   foretold.valid = predictor.predict(model.model, trial.drive, 0, foretold.prediction, foretold.steps, reason);
@@ -98,8 +98,8 @@ std::vector<ModelScore> LocalEvaluations::find_delays(std::span<const KnownModel
   std::vector<ScoredTrial> trials;
   for (const TargetTrial& trial : state.trials)
     if (!trial.set_aside_in) trials.push_back(definition_.observed(trial.drive, trial.trial));
-  const ModelScorer scorer(*definition_.compiled, std::move(trials), definition_.metric, 1, &definition_.model,
-                           definition_.profiled);
+  const ModelScorer scorer(*definition_.compiled, std::move(trials), definition_.metric, {1, work_.stop},
+                           &definition_.model, definition_.profiled);
   std::vector<ModelScore> scores(models.size());
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Evaluation evaluation;

@@ -2,6 +2,7 @@
 
 #include "eea/definition/eea_definition.h"
 #include "eea/definition/evaluations.h"
+#include "foundation/work.h"
 
 #include <memory>
 
@@ -10,8 +11,8 @@ namespace lacuna {
 /// Simulates models in this process.
 class LocalEvaluations : public Evaluations {
  public:
-  /// The definition must outlive it; works on `threads` threads.
-  LocalEvaluations(const EeaDefinition& definition, int threads);
+  /// The definition must outlive it.
+  LocalEvaluations(const EeaDefinition& definition, const Work& work);
   ~LocalEvaluations() override;
 
   void begin_estimation(const EeaState& state) override;
@@ -26,7 +27,7 @@ class LocalEvaluations : public Evaluations {
   struct Panel;
 
   const EeaDefinition& definition_;
-  int threads_;
+  Work work_;
   std::unique_ptr<ModelScorer> scorer_;  ///< of the current estimation phase
   std::unique_ptr<Panel> panel_;         ///< of the current exploration phase
 };

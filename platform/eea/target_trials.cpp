@@ -5,7 +5,7 @@
 #include "eea/exploration.h"
 #include "eea/trials/recorded_trials.h"
 #include "eea/stopping.h"
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "process/hello.h"
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaS
   for (int test = 1; test <= kTests; ++test) {
     if (test > 1) replace_by_random(run, state, number, test - 1);
     for (int repeat = 0; repeat <= target.repeats; ++repeat) {
-      if (test + repeat > 1) pause_for(target.pause);
+      if (test + repeat > 1) run.work.stop.pause_for(target.pause);
       if (std::optional<CarriedOut> done = attempt(run, target, *state.next_test, number, reason))
         return std::move(*done);
     }

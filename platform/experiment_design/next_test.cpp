@@ -3,7 +3,6 @@
 #include "experiment_design/test_judge.h"
 #include "experiment_design/test_line.h"
 #include "fitting/numerics/progress_meter.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <fmt/format.h>
@@ -35,7 +34,7 @@ bool better(const DrawnTest& a, const DrawnTest& b) { return a.nats > b.nats; }
 class TestSearch {
  public:
   explicit TestSearch(const NextTestTask& task)
-      : task_(task), judge_(task), random_(std::vector<std::uint64_t>{task.seed}), meter_(task.progress) {}
+      : task_(task), judge_(task), random_(std::vector<std::uint64_t>{task.seed}), meter_(task.work.progress) {}
 
   NextTest run() {
     const int budget = std::max(task_.evaluations, kFewestRandom);
@@ -115,9 +114,9 @@ class TestSearch {
 
   void evaluate(std::vector<DrawnTest>& tests) {
     for (std::size_t begin = 0; begin < tests.size(); begin += kBatch) {
-      throw_if_interrupted();
+      task_.work.stop.throw_if_due();
       const std::size_t end = std::min(begin + kBatch, tests.size());
-      parallel_for(end - begin, task_.threads, [&](std::size_t i, int worker) {
+      parallel_for(end - begin, task_.work.threads, [&](std::size_t i, int worker) {
         DrawnTest& test = tests[begin + i];
         test.nats = judge_.nats(test.genome, worker, setup_of(test).name());
       });

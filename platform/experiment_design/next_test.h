@@ -5,7 +5,7 @@
 #include "evaluation/model/known_setups.h"
 #include "evaluation/model/model_definition.h"
 #include "fitting/floor/noise_floor.h"
-#include "fitting/numerics/progress.h"
+#include "foundation/work.h"
 #include "loading/plugin_catalog.h"
 
 #include <Eigen/Core>
@@ -55,8 +55,7 @@ struct NextTestTask {
   std::vector<KnownSetup> setups = std::vector<KnownSetup>(1);
   int evaluations = 60;  ///< budget; one evaluation predicts a test with both models and all their refitted quantities
   std::uint64_t seed = 1;
-  int threads = 1;
-  ProgressCallback progress = {};
+  Work work = {};
 };
 
 inline constexpr double kDecisiveNats = 5.0;  ///< odds of 150 to 1

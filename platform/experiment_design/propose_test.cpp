@@ -39,7 +39,7 @@ double longest(const std::vector<Trial>& trials) {
 
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
                                      const FittedRival& other, const std::vector<Trial>& trials,
-                                     const ConditionsAt& conditions_at, std::uint64_t seed, int threads) {
+                                     const ConditionsAt& conditions_at, std::uint64_t seed, const Work& work) {
   TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(trials));
   limit_to_trials(space, trials);
   TestConditions conditions = conditions_at(space.control_period);
@@ -57,7 +57,7 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experim
                     .setups = std::move(setups),
                     .evaluations = kEvaluations + more,
                     .seed = seed,
-                    .threads = threads};
+                    .work = work};
   try {
     return next_test(task);
   } catch (const Interrupted&) {

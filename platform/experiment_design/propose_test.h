@@ -29,6 +29,6 @@ using ConditionsAt = std::function<TestConditions(double period)>;
 /// drive.
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
                                      const FittedRival& other, const std::vector<Trial>& trials,
-                                     const ConditionsAt& conditions_at, std::uint64_t seed, int threads);
+                                     const ConditionsAt& conditions_at, std::uint64_t seed, const Work& work);
 
 }  // namespace lacuna

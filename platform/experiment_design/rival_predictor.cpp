@@ -26,8 +26,8 @@ Test later(Test test, double delay) {
 }  // namespace
 
 RivalPredictor::RivalPredictor(const RivalModel& rival, std::vector<double> times, std::vector<Eigen::Index> channels,
-                               std::vector<double> deviations, std::vector<double> start_deviation, int workers)
-    : predictor_(rival.model, std::move(times), workers),
+                               std::vector<double> deviations, std::vector<double> start_deviation, const Work& work)
+    : predictor_(rival.model, std::move(times), work),
       channels_(std::move(channels)),
       deviations_(std::move(deviations)),
       start_deviation_(std::move(start_deviation)),

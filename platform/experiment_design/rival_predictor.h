@@ -17,7 +17,7 @@ class RivalPredictor {
  public:
   /// `deviations`: of the readings of `channels`, indices into the model's. `rival` must outlive it.
   RivalPredictor(const RivalModel& rival, std::vector<double> times, std::vector<Eigen::Index> channels,
-                 std::vector<double> deviations, std::vector<double> start_deviation, int workers);
+                 std::vector<double> deviations, std::vector<double> start_deviation, const Work& work);
 
   /// False where the model cannot carry the test out.
   bool predict(const Test& test, int worker, RivalPrediction& prediction) const;

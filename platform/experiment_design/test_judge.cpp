@@ -82,7 +82,7 @@ RivalPredictor predictor(const NextTestTask& task, std::size_t which) {
   engine.control_period = task.space.control_period;
   return {task.rivals[which],           sample_times(engine, task.space.duration),
           std::move(readings.channels), std::move(readings.deviations),
-          task.start_deviation,         task.threads};
+          task.start_deviation,         task.work};
 }
 
 /// Refits the other candidate to the truth by Gauss-Newton steps with the derivatives at its fit, until the first-order

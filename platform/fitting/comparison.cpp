@@ -5,7 +5,6 @@
 #include "fitting/numerics/scored_rms.h"
 #include "fitting/scores.h"
 #include "fitting/stages.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "measurement/clocks/clock_check.h"
 #include "foundation/unit.h"
@@ -75,9 +74,9 @@ class Comparer {
  public:
   explicit Comparer(const ComparisonTask& task)
       : task_(task),
-        meter_(task.progress),
+        meter_(task.work.progress),
         noise_(noise_of(task)),
-        predictor_(task.model, task.trials, task.threads),
+        predictor_(task.model, task.trials, task.work),
         states_(task.definition.structure.robot, predictor_, noise_),
         restart_(shortest_restart(states_, task.trials.size())),
         horizons_(horizons_up_to(restart_, task)) {
@@ -108,7 +107,7 @@ class Comparer {
   std::vector<FreeRun> free_runs(const std::vector<double>& values) const {
     std::vector<FreeRun> runs(trials());
     parallel_for(trials(), predictor_.workers(), [&](std::size_t trial, int worker) {
-      throw_if_interrupted();
+      task_.work.stop.throw_if_due();
       runs[trial] = free_run(predictor_, states_, trial, values, worker);
     });
     return runs;
@@ -152,7 +151,7 @@ class Comparer {
     std::vector<ScoredStart> starts;
     for (const TrialComparison& trial : result_.trials) starts.push_back({&trial.pieces, trial.first_scored});
     result_.floors = noise_floor({task_.definition, task_.model, task_.trials, task_.noise, task_.values, noise_,
-                                  starts, task_.seed, task_.threads});
+                                  starts, task_.seed, task_.work});
     meter_.end_part();
   }
 
@@ -220,7 +219,7 @@ class Comparer {
   /// Change of the prediction by twice the substeps, from the same start.
   void score_numerics() {
     if (task_.finer == nullptr) return;
-    const TrialPredictor finer(*task_.finer, task_.trials, task_.threads);
+    const TrialPredictor finer(*task_.finer, task_.trials, task_.work);
     std::vector<Prediction> predictions(trials());
     parallel_for(trials(), finer.workers(), [&](std::size_t t, int worker) {
       predictions[t] = predict_again(finer, t, result_.trials[t].pieces, task_.values, worker);
@@ -294,7 +293,7 @@ class Comparer {
     if (stretches.empty()) return score;
     std::vector<TimeSeries::Samples> residuals(stretches.size());
     parallel_for(stretches.size(), predictor_.workers(), [&](std::size_t k, int worker) {
-      throw_if_interrupted();
+      task_.work.stop.throw_if_due();
       const StartEstimate start = fit_head(predictor_, states_, stretches[k], task_.values, worker);
       Prediction prediction;
       if (start.valid) predictor_.predict(stretches[k], task_.values, start.start, worker, prediction);

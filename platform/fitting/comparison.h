@@ -4,7 +4,7 @@
 #include "fitting/error_parts.h"
 #include "fitting/floor/free_run.h"
 #include "fitting/floor/noise_floor.h"
-#include "fitting/numerics/progress.h"
+#include "foundation/work.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,8 +24,7 @@ struct ComparisonTask {
   const CompiledModel* finer = nullptr;
   std::vector<double> horizons = {};  ///< s, scored beside the free run; empty: `usual_horizons`
   std::uint64_t seed = 1;
-  int threads = 1;
-  ProgressCallback progress = {};
+  Work work = {};
   bool cross_check = false;                ///< with the other engine
   std::vector<ChannelNoise> sensors = {};  ///< of every measured channel; empty: `sensor_noise` of the trials
 };

@@ -1,7 +1,6 @@
 #include "fitting/cross_check.h"
 
 #include "fitting/comparison.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -29,12 +28,12 @@ class Solution {
  public:
   Solution(const ComparisonTask& task, const EngineSettings& engine)
       : model_(compile(task.definition.structure, engine)),
-        predictor_(*model_, task.trials, task.threads),
+        predictor_(*model_, task.trials, task.work),
         values_(task.values) {}
 
   int workers() const { return predictor_.workers(); }
   Prediction from(const std::vector<RunPiece>& pieces, std::size_t trial, int worker) const {
-    throw_if_interrupted();
+    predictor_.stop().throw_if_due();
     return predict_again(predictor_, trial, pieces, values_, worker);
   }
 

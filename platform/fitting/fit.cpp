@@ -10,7 +10,6 @@
 #include "fitting/stage_drift.h"
 #include "fitting/stages.h"
 #include "fitting/shooting/start_points.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -52,10 +51,10 @@ class Fitter {
  public:
   explicit Fitter(const FitTask& task)
       : task_(task),
-        meter_(task.progress),
+        meter_(task.work.progress),
         loss_(loss_of(task.options)),
         result_(as_written(task.definition)),
-        predictor_(task.model, fit_trials(task.trials), task.threads),
+        predictor_(task.model, fit_trials(task.trials), task.work),
         space_(task.definition.free) {
     result_.noise = sensor_noise(task.definition.structure.robot, predictor_.trials());
     states_ = std::make_unique<StartStates>(task.definition.structure.robot, predictor_, result_.noise);
@@ -68,7 +67,7 @@ class Fitter {
       judge();
     } catch (const TimeIsUp&) {
       if (!task_.best_at_time_limit) throw;
-      lift_time_limit();
+      task_.work.stop.lift_limit();
       end_with_best(stages.back());
     }
     finish_problem();
@@ -191,7 +190,7 @@ class Fitter {
     for (const JudgedValues& one : all)
       if (&one != &best) count_in(one);
     if (!best.candidate.valid)
-      throw TimeIsUp(stopped_by_time_limit() + " before any values were found; give the fit more time");
+      throw TimeIsUp(task_.work.stop.reason_of_limit() + " before any values were found; give the fit more time");
     result_.stages.emplace_back();  // in whose place `take` puts the best
     best.candidate.search.converged = false;
     take(best, last);
@@ -202,7 +201,7 @@ class Fitter {
     result_.notes.push_back(
         fmt::format("the fit did not converge: {} after {} of its stages. These are the best values so far ({:.3g} × "
                     "the sensor noise), without intervals; run the command again with more time",
-                    stopped_by_time_limit(), finished, candidates_.front().residual));
+                    task_.work.stop.reason_of_limit(), finished, candidates_.front().residual));
   }
 
   /// Where the values moved during the stages, or away from known values, tries other starts once more.

@@ -4,7 +4,7 @@
 
 #include "evaluation/model/model_definition.h"
 #include "fitting/floor/noise_floor.h"
-#include "fitting/numerics/progress.h"
+#include "foundation/work.h"
 
 #include <cstdint>
 #include <string>
@@ -19,10 +19,8 @@ struct FitTask {
   const std::vector<Trial>& trials;  ///< held-out ones are not looked at
   FitSection options;
   std::uint64_t seed = 1;
-  int threads = 1;
-  ProgressCallback progress = {};
-  /// At the time limit (foundation/processes/interrupt.h): lift it and return the best values
-  /// so far, or throw `TimeIsUp`.
+  Work work = {};
+  /// At the time limit of `work`: lift it and return the best values so far, or throw `TimeIsUp`.
   bool best_at_time_limit = false;
 };
 

@@ -31,9 +31,9 @@ std::vector<PlannedStage> shooting_stages(FitSection options, const TrialPredict
 
 /// A model with a number of substeps, and the trials at it.
 struct IntegrationBias::Solution {
-  Solution(const ModelDefinition& definition, int substeps, const std::vector<Trial>& trials, int threads)
+  Solution(const ModelDefinition& definition, int substeps, const std::vector<Trial>& trials, const Work& work)
       : model(compile(definition.structure, with_substeps(definition.engine, substeps))),
-        predictor(*model, trials, threads) {}
+        predictor(*model, trials, work) {}
 
   std::unique_ptr<CompiledModel> model;
   TrialPredictor predictor;
@@ -41,14 +41,14 @@ struct IntegrationBias::Solution {
 
 IntegrationBias::IntegrationBias(const ModelDefinition& definition, const FitSection& options,
                                  const std::vector<Trial>& trials, std::size_t all, std::vector<double> values,
-                                 int substeps, int threads)
+                                 int substeps, const Work& work)
     : definition_(definition),
       space_(definition.free),
       noise_(sensor_noise(definition.structure.robot, trials)),
-      threads_(threads),
+      work_(work),
       trials_share_(static_cast<double>(trials.size()) / static_cast<double>(all)),
       loss_(options.loss == "huber" ? RobustLoss{options.loss_scale} : RobustLoss{}),
-      base_(std::make_unique<Solution>(definition, substeps, trials, threads)) {
+      base_(std::make_unique<Solution>(definition, substeps, trials, work)) {
   if (!approach(options, std::move(values))) {
     problem_.reset();
     return;
@@ -87,7 +87,7 @@ bool IntegrationBias::approach(const FitSection& options, std::vector<double> va
 }
 
 std::vector<Eigen::VectorXd> IntegrationBias::residuals(int substeps) const {
-  const Solution solution(definition_, substeps, base_->predictor.trials(), threads_);
+  const Solution solution(definition_, substeps, base_->predictor.trials(), work_);
   ShootingProblem problem(*problem_, solution.predictor);
   std::vector<Eigen::VectorXd> found;
   if (!problem.residuals(point_, found)) found.clear();

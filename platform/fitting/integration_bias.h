@@ -26,7 +26,7 @@ class IntegrationBias {
   /// `trials`: some of `all` trials that the fit will use; the number of all sets the intervals. `substeps`: for this
   /// estimate of the values.
   IntegrationBias(const ModelDefinition& definition, const FitSection& options, const std::vector<Trial>& trials,
-                  std::size_t all, std::vector<double> values, int substeps, int threads);
+                  std::size_t all, std::vector<double> values, int substeps, const Work& work);
   ~IntegrationBias();
 
   /// Near the result of a fit; none where the model cannot be simulated.
@@ -43,7 +43,7 @@ class IntegrationBias {
   const ModelDefinition& definition_;
   ParameterSpace space_;
   std::vector<ChannelNoise> noise_;
-  int threads_;
+  Work work_;
   double trials_share_;
   RobustLoss loss_;
   std::unique_ptr<Solution> base_;

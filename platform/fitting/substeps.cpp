@@ -3,7 +3,6 @@
 #include "fitting/floor/free_run.h"
 #include "fitting/floor/noise_floor.h"
 #include "fitting/numerics/scored_rms.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -53,19 +52,19 @@ struct ChannelShare {
 class TwoSolutions {
  public:
   TwoSolutions(const ModelDefinition& definition, const std::vector<Trial>& trials, std::span<const double> values,
-               int threads)
+               const Work& work)
       : definition_(definition),
         trials_(some_of(trials)),
         noise_(sensor_noise(definition.structure.robot, trials_)),
         values_(values),
-        threads_(threads) {}
+        work_(work) {}
 
   const std::vector<Trial>& trials() const { return trials_; }
 
   /// See `Substeps::share`; nothing where a trial cannot be simulated.
   std::optional<double> share(int substeps) const {
     const std::unique_ptr<CompiledModel> model = compiled(substeps), finer = compiled(2 * substeps);
-    const TrialPredictor predictor(*model, trials_, threads_), fine(*finer, trials_, threads_);
+    const TrialPredictor predictor(*model, trials_, work_), fine(*finer, trials_, work_);
     const StartStates states(definition_.structure.robot, predictor, noise_);
     std::vector<std::vector<ChannelShare>> shares(trials_.size());
     parallel_for(trials_.size(), predictor.workers(), [&](std::size_t trial, int worker) {
@@ -91,7 +90,7 @@ class TwoSolutions {
   /// One per channel of the trial; none where it cannot be simulated.
   std::vector<ChannelShare> shares_of(const TrialPredictor& predictor, const TrialPredictor& fine,
                                       const StartStates& states, std::size_t trial, int worker) const {
-    throw_if_asked_to_stop();
+    work_.stop.throw_if_requested();
     const FreeRun run = free_run(predictor, states, trial, values_, worker);
     const Prediction better = predict_again(fine, trial, run.pieces, values_, worker);
     std::vector<ChannelShare> all;
@@ -128,7 +127,7 @@ class TwoSolutions {
   std::vector<Trial> trials_;
   std::vector<ChannelNoise> noise_;
   std::span<const double> values_;
-  int threads_;
+  Work work_;
 };
 
 /// The number expected from the order where the error with `substeps` is so many times the tolerance.
@@ -173,13 +172,13 @@ void suffice_for_values(const IntegrationBias& bias, Substeps& found) {
 
 /// Of these, as many as the fitted values need.
 Substeps sufficient_for_values(const ModelDefinition& definition, const std::vector<Trial>& trials,
-                               std::span<const double> values, int threads, const FitSection& options,
+                               std::span<const double> values, const Work& work, const FitSection& options,
                                const TwoSolutions& solutions, Substeps found) {
   const IntegrationBias bias(definition, options, solutions.trials(), trials.size(), {values.begin(), values.end()},
-                             found.count, threads);
+                             found.count, work);
   const std::vector<double> near = bias.values();
   if (near.empty()) return found;
-  const TwoSolutions nearer(definition, trials, near, threads);
+  const TwoSolutions nearer(definition, trials, near, work);
   if (!found.enough) found = enough_for_motion(nearer);
   if (!found.enough) return found;
   const int for_motion = found.count;
@@ -191,14 +190,14 @@ Substeps sufficient_for_values(const ModelDefinition& definition, const std::vec
 }  // namespace
 
 Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,
-                             std::span<const double> values, int threads, TrialsFor trials_for,
+                             std::span<const double> values, const Work& work, TrialsFor trials_for,
                              const FitSection& options) {
   if (trials.empty() || definition.engine.engine == "ode") return {};
-  const TwoSolutions solutions(definition, trials, values, threads);
+  const TwoSolutions solutions(definition, trials, values, work);
   const Substeps found = enough_for_motion(solutions);
   if (definition.free.empty() || trials_for == TrialsFor::motion || !std::isfinite(found.share)) return found;
   try {
-    return sufficient_for_values(definition, trials, values, threads, options, solutions, found);
+    return sufficient_for_values(definition, trials, values, work, options, solutions, found);
   } catch (const TimeIsUp&) {
     return found;  // the limit stays: the next step reports where it ended
   }

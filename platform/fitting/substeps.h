@@ -37,7 +37,7 @@ enum class TrialsFor {
 ///
 /// Literature: L. F. Richardson, "The deferred approach to the limit", 1927.
 Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,
-                             std::span<const double> values, int threads, TrialsFor trials_for = TrialsFor::fit,
+                             std::span<const double> values, const Work& work, TrialsFor trials_for = TrialsFor::fit,
                              const FitSection& options = {});
 
 }  // namespace lacuna

@@ -1,7 +1,5 @@
 #include "isolation/channel.h"
 
-#include "foundation/processes/interrupt.h"
-
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -23,7 +21,8 @@ MessageChannel::~MessageChannel() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-MessageChannel::MessageChannel(MessageChannel&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+MessageChannel::MessageChannel(MessageChannel&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), stop_(other.stop_) {}
 
 bool MessageChannel::send(const std::string& message) const {
   const auto size = static_cast<std::uint64_t>(message.size());
@@ -42,7 +41,7 @@ bool MessageChannel::read_all(char* bytes, std::size_t count) const {
   while (count > 0) {
     pollfd waiting{descriptor_, POLLIN, 0};
     const int ready = poll(&waiting, 1, kBetweenLooks);
-    throw_if_kept_waiting();
+    stop_.throw_if_kept_waiting();
     if (ready <= 0) continue;
     const ssize_t got = read(descriptor_, bytes, count);
     if (got < 0 && errno == EINTR) continue;

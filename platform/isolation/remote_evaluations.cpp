@@ -1,6 +1,5 @@
 #include "isolation/remote_evaluations.h"
 
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "isolation/carried.h"
 #include "isolation/work_queue.h"
@@ -58,7 +57,7 @@ std::string RemoteEvaluations::ask(Worker& worker, const Request& request) {
     return worker.process->ask(request);
   } catch (const WorkerLost& lost) {
     worker = {};
-    throw_if_asked_to_stop();  // the request that ended this process may have ended the other as well
+    pool_.stop().throw_if_requested();  // the request that ended this process may have ended the other as well
     pool_.note_lost(lost.work);
     throw;
   } catch (...) {  // it may still be answering, or have ended

@@ -39,7 +39,7 @@ EeaState state_of(const EeaDefinition& definition, WiredState&& wired) {
 /// Carries out requests, on one thread.
 class Clerk {
  public:
-  explicit Clerk(const EeaDefinition& definition) : definition_(definition), here_(definition, 1) {}
+  explicit Clerk(const EeaDefinition& definition) : definition_(definition), here_(definition, {1}) {}
 
   std::string answer(Request&& request) {
     const Evaluation evaluation;

@@ -31,7 +31,7 @@ std::unique_ptr<WorkerProcess> WorkerPool::take() {
       return worker;
     }
   }
-  return std::make_unique<WorkerProcess>(task_);
+  return std::make_unique<WorkerProcess>(task_, stop_);
 }
 
 void WorkerPool::give_back(std::unique_ptr<WorkerProcess> worker) {

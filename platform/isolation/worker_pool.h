@@ -13,7 +13,10 @@ namespace lacuna {
 /// Worker processes that the replicates of an experiment take and return. Shared by threads.
 class WorkerPool {
  public:
-  explicit WorkerPool(WorkerTask task) : task_(std::move(task)) {}
+  /// `stop`: of the work that they share.
+  WorkerPool(WorkerTask task, const Stop& stop) : task_(std::move(task)), stop_(stop) {}
+
+  const Stop& stop() const { return stop_; }
 
   /// An idle one, or a new one.
   std::unique_ptr<WorkerProcess> take();
@@ -24,6 +27,7 @@ class WorkerPool {
 
  private:
   WorkerTask task_;
+  Stop stop_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<WorkerProcess>> idle_;
   std::map<std::string, int> lost_;  ///< by component

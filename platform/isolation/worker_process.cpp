@@ -16,11 +16,11 @@ namespace {
 constexpr double kGrace = 1.0;  // s, to wait for the end of a process that has closed its channel
 
 /// A channel, and a program whose standard input is the other end.
-std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin() {
+std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin(const Stop& stop) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw Error(std::string("no channel to a worker process: ") + strerror(errno));
-  MessageChannel here(ends[0]);
+  MessageChannel here(ends[0], stop);
   const MessageChannel there(ends[1]);
   ChildBeginning beginning;
   beginning.words = {"/proc/self/exe", "worker"};  // works also after the program's file was replaced
@@ -31,7 +31,7 @@ std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin() {
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const WorkerTask& task) : WorkerProcess(begin(), task) {}
+WorkerProcess::WorkerProcess(const WorkerTask& task, const Stop& stop) : WorkerProcess(begin(stop), task) {}
 
 WorkerProcess::WorkerProcess(std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begun, const WorkerTask& task)
     : channel_(std::move(begun.first)), child_(std::move(begun.second)) {

@@ -24,7 +24,7 @@ class WorkerLost : public Error {
 class WorkerProcess {
  public:
   /// Starts the running program a second time; it starts up while this process goes on.
-  explicit WorkerProcess(const WorkerTask& task);
+  WorkerProcess(const WorkerTask& task, const Stop& stop);
 
   /// The answer to a request. Throws `WorkerLost`, after which this worker gives no more answers; `Error` with the
   /// worker's message; `Interrupted`.

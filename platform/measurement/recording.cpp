@@ -298,13 +298,14 @@ void check_holdout(const WholeSource& whole, const std::vector<Trial>& trials, c
 
 Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
                          const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates,
-                         const RecordingFormats* formats) {
+                         const RecordingFormats* formats, const Stop& stop) {
   ProblemList problems;
   const SourceLocation location{source.files.empty() ? "" : source.files.front().location.file, 0, 0};
   if (source.files.empty()) problems.add(location, "no recorded files; name at least one in target.files");
   check_files_differ(source.files, formats, problems);
   if (source.sensors.empty()) problems.add(location, "no column is read; assign at least one in target.sensors");
   RecordingPlan plan;
+  plan.stop = stop;
   plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);
   plan.commands = plan_columns(source.commands, actuators, "actuator", problems);
   for (std::size_t c = 0; c < plan.commands.size(); ++c)
@@ -338,23 +339,29 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   return recording;
 }
 
-Recording read_recording(const RecordingSource& source, const RobotSpec& robot, const RecordingFormats* formats) {
+Recording read_recording(const RecordingSource& source, const RobotSpec& robot, const RecordingFormats* formats,
+                         const Stop& stop) {
   std::vector<std::string> coordinates;
   for (const JointSpec& joint : robot.joints) {
     const int count = coordinate_count(joint.kind);
     for (int i = 1; i <= count; ++i)
       coordinates.push_back("joint." + joint.name + (count > 1 ? "." + std::to_string(i) : ""));
   }
-  return read_recording(source, sensor_channels(robot), command_channels(robot), coordinates, formats);
+  return read_recording(source, sensor_channels(robot), command_channels(robot), coordinates, formats, stop);
 }
 
 RecordingReader::RecordingReader(RecordingSource source, RobotSpec robot,
-                                 std::function<void(const ReadingNote&)> on_note, const RecordingFormats* formats)
-    : source_(std::move(source)), robot_(std::move(robot)), on_note_(std::move(on_note)), formats_(formats) {}
+                                 std::function<void(const ReadingNote&)> on_note, const RecordingFormats* formats,
+                                 const Stop& stop)
+    : source_(std::move(source)),
+      robot_(std::move(robot)),
+      on_note_(std::move(on_note)),
+      formats_(formats),
+      stop_(stop) {}
 
 std::vector<Trial> RecordingReader::read() const {
   const HostCall call;
-  Recording recording = read_recording(source_, robot_, formats_);
+  Recording recording = read_recording(source_, robot_, formats_, stop_);
   if (on_note_)
     for (const ReadingNote& note : recording.notes) on_note_(note);
   return std::move(recording.trials);

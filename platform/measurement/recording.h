@@ -4,6 +4,7 @@
 #include <lacuna/target_system.h>
 #include <lacuna/time_series.h>
 
+#include "foundation/processes/stop.h"
 #include "foundation/recording_source.h"
 #include "measurement/csv/file_report.h"
 #include "measurement/trials/recording_formats.h"
@@ -27,21 +28,21 @@ struct Recording {
 /// Channels of a trial are in the robot's order, whatever the order of the mappings; channels without a mapping are
 /// left out. Commands and measured channels share the file's time stamps, shifted so that a trial starts at 0 s.
 /// docs/reference/measurements.md describes the accepted files. Files are CSV or of one of the other `formats`, if
-/// there are any.
+/// there are any. Throws `Interrupted` where `stop` ends the comparison of clocks.
 Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
                          const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates = {},
-                         const RecordingFormats* formats = nullptr);
+                         const RecordingFormats* formats = nullptr, const Stop& stop = {});
 
 /// The same for a robot.
 Recording read_recording(const RecordingSource& source, const RobotSpec& robot,
-                         const RecordingFormats* formats = nullptr);
+                         const RecordingFormats* formats = nullptr, const Stop& stop = {});
 
 /// The host's service for targets: reads the source again at each call.
 class RecordingReader : public TrialReader {
  public:
   /// `on_note` receives every reading note; it may be empty. `formats` as above, and outlives the reader.
   RecordingReader(RecordingSource source, RobotSpec robot, std::function<void(const ReadingNote&)> on_note = {},
-                  const RecordingFormats* formats = nullptr);
+                  const RecordingFormats* formats = nullptr, const Stop& stop = {});
   std::vector<Trial> read() const override;
 
  private:
@@ -49,6 +50,7 @@ class RecordingReader : public TrialReader {
   RobotSpec robot_;
   std::function<void(const ReadingNote&)> on_note_;
   const RecordingFormats* formats_;
+  Stop stop_;
 };
 
 }  // namespace lacuna

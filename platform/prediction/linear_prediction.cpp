@@ -2,7 +2,6 @@
 
 #include "foundation/statistics.h"
 #include "fitting/starts/start_states.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "prediction/start_by_readings.h"
 #include "prediction/start_prior.h"
@@ -89,7 +88,7 @@ PredictionPoint LadderPredictions::at_smoothed_starts(const Eigen::VectorXd& val
 
 bool LadderPredictions::simulate(std::size_t k, const Eigen::VectorXd& values, const Eigen::VectorXd& start, int worker,
                                  Eigen::VectorXd& residual) {
-  throw_if_interrupted();
+  predictor_.stop().throw_if_due();
   const PredictedStretch& stretch = ladder_.stretches[k];
   StartState state = stretch.start;
   for (std::size_t i = 0; i < stretch.unknown.size(); ++i)

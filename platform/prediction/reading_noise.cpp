@@ -1,7 +1,7 @@
 #include "prediction/reading_noise.h"
 
 #include "evaluation/prediction/trial_predictor.h"
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/unit.h"
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "process/child_lines.h"
 
 #include "foundation/files/allowed_files.h"
-#include "foundation/processes/interrupt.h"
 #include "process/quoted_text.h"
 
 #include <lacuna/error.h>
@@ -69,7 +68,7 @@ ChildLines::Clock::time_point ChildLines::in(double seconds) {
          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, kLongest)));
 }
 
-ChildLines::ChildLines(const ProcessSource& source) : errors_("standard error") {
+ChildLines::ChildLines(const ProcessSource& source, const Stop& stop) : stop_(stop), errors_("standard error") {
   if (files_are_limited())
     throw Error("an agent may not start it (lacuna mcp); carry out the test yourself: lacuna trial");
   std::array<int, 2> input = make_pipe(), output = {-1, -1};
@@ -131,7 +130,7 @@ std::string ChildLines::last_words() { return last_lines(errors_.end(), kLastWor
 
 /// Waits until there is something to read, or room for what is unsent, and takes it; at most until `until`.
 void ChildLines::wait(Clock::time_point until, std::string_view& unsent) {
-  throw_if_interrupted();
+  stop_.throw_if_due();
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
   if (left.count() <= 0) throw_lateness(!unsent.empty());
   std::array<pollfd, 2> ends = {pollfd{from_child_, POLLIN, 0}, pollfd{to_child_, POLLOUT, 0}};

@@ -2,6 +2,7 @@
 
 #include "foundation/processes/child_program.h"
 #include "foundation/processes/process_source.h"
+#include "foundation/processes/stop.h"
 
 #include <lacuna/error.h>
 
@@ -29,14 +30,15 @@ class ChildLines {
   /// A moment `seconds` from now, at most some thirty years.
   static Clock::time_point in(double seconds);
 
-  explicit ChildLines(const ProcessSource& source);
+  /// `stop` ends every wait for the program.
+  ChildLines(const ProcessSource& source, const Stop& stop);
   /// Ends the program: by the end of its input, after a second by SIGTERM, then by SIGKILL.
   ~ChildLines();
   ChildLines(const ChildLines&) = delete;
   ChildLines& operator=(const ChildLines&) = delete;
 
   /// Sends a line, which has no newline of its own. Reads meanwhile, so that neither waits for the other. Throws
-  /// `Interrupted` where the user ends the command.
+  /// `Interrupted`.
   void send(std::string_view line, Clock::time_point until);
   /// The next line, without its newline.
   std::string receive(Clock::time_point until);
@@ -54,6 +56,7 @@ class ChildLines {
   [[noreturn]] void throw_lateness(bool reads_nothing) const;
   [[noreturn]] void throw_ending();
 
+  Stop stop_;
   CapturedOutput errors_;
   int to_child_ = -1, from_child_ = -1;
   std::optional<ChildProgram> child_;

@@ -1,6 +1,6 @@
 #include "process/process_target.h"
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/plugins/plugin_call.h"
 #include "process/child_lines.h"
 #include "process/conversation.h"
@@ -90,7 +90,7 @@ void ProcessTarget::start() {
 void ProcessTarget::start_afresh() {
   if (!setting_.source.refused.empty()) throw_problem(setting_.location, setting_.source.refused);
   try {
-    lines_ = std::make_unique<ChildLines>(setting_.source);
+    lines_ = std::make_unique<ChildLines>(setting_.source, setting_.stop);
   } catch (const Error& error) {
     throw_problem(
         setting_.location,

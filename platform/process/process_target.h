@@ -5,6 +5,7 @@
 
 #include "foundation/text/problem.h"
 #include "foundation/processes/process_source.h"
+#include "foundation/processes/stop.h"
 #include "process/hello.h"
 #include "process/trial_messages.h"
 
@@ -26,6 +27,7 @@ struct ProcessTargetSetting {
   std::vector<std::string> coordinates;  ///< the joint of each of the model's coordinates; empty: not told apart
   std::uint64_t noise_seed = 1;          ///< keys the seeds that the target is given
   std::function<void(const std::string&)> note = {};  ///< is told what a user should know, a sentence each
+  Stop stop = {};                                     ///< ends a wait for the program early
 };
 
 /// A target that is another program, spoken to in lines of JSON (docs/reference/process-target.md). It is started when
@@ -42,7 +44,7 @@ class ProcessTarget : public ExternalProgram {
   void begin_trial(std::uint64_t number) { number_ = number; }
   /// Throws `Error` with a sentence that says how the program failed, and the last words that it wrote to standard
   /// error; `BadInput` where it cannot be started or does not fit the model, though one that once did fails with an
-  /// `Error`; `Interrupted` where the user ends the command.
+  /// `Error`; `Interrupted` when `stop` is due.
   Trial carry_out(const Test& test) override;
 
  private:

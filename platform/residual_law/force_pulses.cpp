@@ -66,7 +66,7 @@ class Pulser {
     std::vector<Trial> trials = data_.task().trials;
     for (std::size_t t = 0; t < trials.size(); ++t)
       trials[t].commands = with_force_pulses(trials[t].commands, joint_, intervals(one, t, pulse), force);
-    const TrialPredictor predictor(*disturbed_, std::move(trials), data_.task().threads);
+    const TrialPredictor predictor(*disturbed_, std::move(trials), data_.task().work);
     LadderPredictions predictions(one.ladder, predictor, space_, data_.starts(),
                                   changes_readings(model_.model.definition));
     return predictions.residuals(one.point, found);

@@ -65,7 +65,7 @@ ResidualLaws::ResidualLaws(const SearchResult& found, const FittedModel& beside)
   linear_ = predictions.linearise(beside.fit.point);
   if (!linear_ || most_left(ladder, *linear_) < kOfNoise) return;
   joints_.resize(courses_.size());
-  parallel_for(joints_.size(), data.task().threads, [&](std::size_t joint, int) {
+  parallel_for(joints_.size(), data.task().work.threads, [&](std::size_t joint, int) {
     joints_[joint] = std::make_unique<JointLaws>(data, beside, ladder, *linear_, courses_[joint]);
   });
 }

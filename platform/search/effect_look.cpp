@@ -1,6 +1,5 @@
 #include "search/effect_look.h"
 
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "prediction/whitened_columns.h"
 #include "search/extreme_stretches.h"
@@ -62,7 +61,8 @@ class ProbedHypothesis {
       : data_(data),
         model_(model),
         hypothesis_(hypothesis),
-        context_(hypothesis.definition, *hypothesis.model, data.task().trials, data.timing(), 1, kCommandsMayAct),
+        context_(hypothesis.definition, *hypothesis.model, data.task().trials, data.timing(),
+                 Work{1, data.task().work.stop}, kCommandsMayAct),
         predictions_(ladder, context_.predictor(), context_.space(), data.starts(),
                      changes_readings(hypothesis.definition)) {}
 
@@ -119,7 +119,7 @@ std::vector<ProbeResponse> responses_of(const SearchData& data, const FittedMode
   ProbedHypothesis probed(data, model, hypothesis, stage.ladder);
   std::vector<Eigen::VectorXd> moved;
   for (const SizedProbe& probe : sized(data, model, hypothesis, few, failure)) {
-    throw_if_interrupted();
+    data.task().work.stop.throw_if_due();
     if (!probed.residuals(probe.own, moved)) {
       failure = probed.failure();
       continue;
@@ -222,7 +222,7 @@ void promise(const SearchData& data, EffectLook& look) {
   look.cost = plain.least().cost;
   const Eigen::VectorXd before = plain.cross_fitted();
   std::vector<LookedLaws> looked(look.hypotheses.size());
-  parallel_for(looked.size(), data.task().threads, [&](std::size_t h, int) {
+  parallel_for(looked.size(), data.task().work.threads, [&](std::size_t h, int) {
     looked[h] = look_at(h, look.hypotheses[h], look.responses->at(h), *look.stage);
   });
   for (std::size_t h = 0; h < looked.size(); ++h)
@@ -262,7 +262,7 @@ EffectLook look_at_library(const SearchData& data, const FittedModel& model, con
   if (look.stage->linear.stretches.empty()) return look;
   std::vector<std::vector<ProbeResponse>> responses(look.hypotheses.size());
   std::vector<std::string> failures(look.hypotheses.size());
-  parallel_for(responses.size(), data.task().threads, [&](std::size_t h, int) {
+  parallel_for(responses.size(), data.task().work.threads, [&](std::size_t h, int) {
     if (look.hypotheses[h].placed.size() > 1) return;
     const LookStage& own = few.at(joint_at(robot, look.hypotheses[h].where()));
     if (!own.linear.stretches.empty())

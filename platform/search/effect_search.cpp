@@ -1,6 +1,5 @@
 #include "search/effect_search.h"
 
-#include "foundation/processes/interrupt.h"
 #include "search/fit_starts.h"
 #include "search/fitted_sets.h"
 #include "search/nesting.h"
@@ -70,7 +69,7 @@ class EffectSearch {
 
  private:
   void say(const std::string& what) const {
-    throw_if_interrupted();
+    data_.task().work.stop.throw_if_due();
     if (data_.task().note) data_.task().note(what);
   }
 
@@ -327,7 +326,7 @@ bool search_over(const PredictionLadder& ladder, KeptFits& kept, SearchResult& r
   } catch (const TimeIsUp&) {
     result.stopped = true;
     if (!search.has_base()) return false;
-    lift_time_limit();
+    result.data->task().work.stop.lift_limit();
   }
   conclude(search, result);
   return true;
@@ -339,12 +338,12 @@ SearchResult search_effects(const EffectSearchTask& task) {
   SearchResult result;
   result.data = std::make_shared<const SearchData>(task);
   KeptFits kept = task.known ? *task.known : KeptFits();
-  if (!search_over(result.data->deciding(), kept, result)) throw_if_interrupted();
+  if (!search_over(result.data->deciding(), kept, result)) task.work.stop.throw_if_due();
   if (result.decision.answer != 0 || result.stopped) return result;
   if (search_over(result.data->ladder(), kept, result))
     result.by_all_lengths = true;
   else
-    lift_time_limit();
+    task.work.stop.lift_limit();
   return result;
 }
 

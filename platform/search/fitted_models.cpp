@@ -184,7 +184,7 @@ std::vector<Eigen::VectorXd> FittedModels::places_to_begin(const AugmentedModel&
     return places;
   const AccelerationSteps& given = data_.acceleration_steps();
   const std::unique_ptr<CompiledModel> fine = compile(model.definition.structure, given.engine);
-  const ModelContext of_steps(model.definition, *fine, given.trials, data_.timing(), data_.task().threads,
+  const ModelContext of_steps(model.definition, *fine, given.trials, data_.timing(), data_.task().work,
                               kCommandsMayAct);
   LadderPredictions steps(given.ladder, of_steps.predictor(), of_steps.space(), data_.starts());
   double least = std::numeric_limits<double>::infinity();

@@ -41,8 +41,9 @@ std::vector<FreeValue> values_of(const ModelDefinition& definition, bool timing,
 }  // namespace
 
 ModelContext::ModelContext(const ModelDefinition& definition, const CompiledModel& model,
-                           const std::vector<Trial>& trials, bool timing, int threads, const TimingRange& timing_range)
-    : predictor_(model, trials, threads, timing ? Timing::fitted : Timing::as_recorded),
+                           const std::vector<Trial>& trials, bool timing, const Work& work,
+                           const TimingRange& timing_range)
+    : predictor_(model, trials, work, timing ? Timing::fitted : Timing::as_recorded),
       space_(values_of(definition, timing, timing_range)) {}
 
 bool changes_readings(const ModelDefinition& definition) {
@@ -62,7 +63,8 @@ SearchData::SearchData(const EffectSearchTask& task)
   if (timing_) plain_.values.push_back(0.0);
   reader_ = plain_;
   noise_ = sensor_noise(plain_.definition.structure.robot, task_.trials);
-  readings_ = std::make_unique<ModelContext>(reader_.definition, *reader_.model, task_.trials, timing_, 1);
+  readings_ = std::make_unique<ModelContext>(reader_.definition, *reader_.model, task_.trials, timing_,
+                                             Work{1, task.work.stop});
   states_ = std::make_unique<StartStates>(reader_.definition.structure.robot, readings_->predictor(), noise_);
   starts_ = std::make_unique<SmoothedStarts>(*states_, readings_->predictor().trials());
   noise_ = noise_of_readings(*starts_, readings_->predictor().trials(), noise_);

@@ -28,10 +28,10 @@ class NothingPredictable : public Error {
 struct EffectSearchTask {
   const Experiment& experiment;
   const PluginCatalog& catalog;
-  const std::vector<Trial>& trials;     ///< held-out trials are read only after the answer is chosen
-  std::vector<double> values;           ///< start values of the model's free values
-  std::vector<std::string> among = {};  ///< effects to try; empty: all
-  int threads = 1;
+  const std::vector<Trial>& trials;                   ///< held-out trials are read only after the answer is chosen
+  std::vector<double> values;                         ///< start values of the model's free values
+  std::vector<std::string> among = {};                ///< effects to try; empty: all
+  Work work = {};                                     ///< its progress is not reported: see `note`
   const KeptFits* known = nullptr;                    ///< fits of an earlier search for the same task; null: none
   std::function<void(const KeptFits&)> keep = {};     ///< receives all fits after each new one
   std::function<void(const std::string&)> note = {};  ///< receives a line for every step and fit
@@ -41,7 +41,7 @@ struct EffectSearchTask {
 class ModelContext {
  public:
   ModelContext(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
-               bool timing, int threads, const TimingRange& timing_range = {});
+               bool timing, const Work& work, const TimingRange& timing_range = {});
 
   const TrialPredictor& predictor() const { return predictor_; }
   const ParameterSpace& space() const { return space_; }
@@ -84,7 +84,7 @@ class SearchData {
   bool timing() const { return timing_; }
 
   ModelContext bench_for(const AugmentedModel& model) const {
-    return {model.definition, *model.model, task_.trials, timing_, task_.threads, kCommandsMayAct};
+    return {model.definition, *model.model, task_.trials, timing_, task_.work, kCommandsMayAct};
   }
 
  private:

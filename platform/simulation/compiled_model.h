@@ -4,6 +4,7 @@
 #include <lacuna/test.h>
 #include <lacuna/time_series.h>
 
+#include "foundation/processes/stop.h"
 #include "simulation/model_structure.h"
 
 #include <cstdint>
@@ -68,6 +69,9 @@ struct SimulationOptions {
   bool record_centre_of_mass = false;  ///< also return the whole robot's centre of mass, one row per output sample
   bool save_final_state = false;
   bool record_lateness = false;  ///< also return the delay of the readings
+  /// A simulation is usually short and useless if incomplete: it ends more than a second after a request, by
+  /// `Interrupted`; a time limit does not end it.
+  Stop stop = {};
 };
 
 enum class Ending { completed, stopped, invalid };

@@ -1,7 +1,6 @@
 #include "tasks/task_database.h"
 
 #include "foundation/processes/guarded_call.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/text/problem.h"
 #include "storage/core/storage_error.h"
 #include "storage/files/log_left.h"
@@ -19,9 +18,9 @@ std::string without_name(const std::string& sentence, const std::filesystem::pat
 }  // namespace
 
 std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& database, const Task& task,
-                                                 TaskDatabase expected) try {
+                                                 TaskDatabase expected, const Stop& stop) try {
   const LogLeft log(database);
-  const Database opened = Database::open_read_only(database);
+  const Database opened = Database::open_read_only(database, stop);
   if (expected == TaskDatabase::checkpoint) require_sound_pages(opened);
   const RunsOfTask runs = runs_of_task(opened, task.id);
   if (runs.has_others) return TaskDatabaseFault{"contains results of another task"};

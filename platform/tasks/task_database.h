@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "tasks/task_plan.h"
 
 #include <filesystem>
@@ -22,6 +23,6 @@ struct TaskDatabaseFault {
 
 /// Nothing where it can be used. Throws `Interrupted`.
 std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& database, const Task& task,
-                                                 TaskDatabase expected);
+                                                 TaskDatabase expected, const Stop& stop = {});
 
 }  // namespace lacuna

@@ -82,14 +82,14 @@ bool has_other_files(const fs::path& folder) {
 }
 
 /// What a lost plan's tasks have found must be of the plan that takes its place.
-void check_found(const fs::path& folder, const TaskPlan& plan) {
+void check_found(const fs::path& folder, const TaskPlan& plan, const Stop& stop) {
   const fs::path shards = folder / "shards";
   if (!fs::exists(shards)) return;
   ProblemList problems;
   for (std::size_t number = 0; number < plan.tasks.size(); ++number) {
     const fs::path shard = shards / name_of_database(number);
     if (!fs::exists(shard)) continue;
-    if (const auto fault = why_not_of_task(shard, plan.tasks[number], TaskDatabase::shard))
+    if (const auto fault = why_not_of_task(shard, plan.tasks[number], TaskDatabase::shard, stop))
       problems.add({shard.string()}, fault->reason + "; move it away, or name a new folder with --out");
   }
   problems.throw_if_any();
@@ -107,7 +107,7 @@ fs::path checkpoint_in(const fs::path& folder, std::size_t task) {
   return folder / "checkpoints" / name_of_database(task);
 }
 
-TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
+TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan, const Stop& stop) {
   const fs::path file = folder / "plan.json";
   if (fs::exists(file)) {
     TaskFolder there(folder);
@@ -121,7 +121,7 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw_problem({folder.string()}, "is a file; name a new folder with --out");
   if (has_other_files(folder)) throw_problem({folder.string()}, "contains other files; name a new folder with --out");
-  check_found(folder, plan);
+  check_found(folder, plan, stop);
   make_folders(folder);
   write_whole(file, text_of_plan(plan), Link::replaced);
   return TaskFolder(folder);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "tasks/task_plan.h"
 
 #include <filesystem>
@@ -44,7 +45,7 @@ class TaskFolder {
  public:
   /// Makes the folder. Where it has a plan of the same tasks already, what they have found stays. Throws `BadInput`
   /// where it has another plan or other files.
-  static TaskFolder make(const std::filesystem::path& folder, const TaskPlan& plan);
+  static TaskFolder make(const std::filesystem::path& folder, const TaskPlan& plan, const Stop& stop = {});
   /// Throws `BadInput` where there is no plan.
   explicit TaskFolder(const std::filesystem::path& folder);
 

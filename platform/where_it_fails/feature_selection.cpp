@@ -1,6 +1,5 @@
 #include "where_it_fails/feature_selection.h"
 
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -69,8 +68,8 @@ class Selection {
  private:
   std::vector<IndependenceTest> test_all(const ResidualTester& tester) const {
     std::vector<IndependenceTest> tests(table_.features.size());
-    parallel_for(tests.size(), task_.threads, [&](std::size_t feature, int) {
-      throw_if_interrupted();
+    parallel_for(tests.size(), task_.work.threads, [&](std::size_t feature, int) {
+      task_.work.stop.throw_if_due();
       if (std::find(task_.unasked.begin(), task_.unasked.end(), feature) == task_.unasked.end())
         tests[feature] = test_of(tester, table_, feature);
     });

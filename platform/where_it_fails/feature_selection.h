@@ -14,7 +14,7 @@ struct SelectionTask {
   const FeatureTable& table;
   std::size_t family = 1;                 ///< number of tests that share the 1 % of false alarms
   std::vector<std::size_t> unasked = {};  ///< features that are not tested
-  int threads = 1;
+  Work work = {};
 };
 
 /// Whether a test lies outside its 99 % band, corrected for the family of tests.

@@ -36,7 +36,7 @@ std::vector<SensorSpec> touch_sensors(const RobotSpec& robot) {
 
 }  // namespace
 
-ModelStates::ModelStates(const ModelDefinition& definition) {
+ModelStates::ModelStates(const ModelDefinition& definition, const Stop& stop) : stop_(stop) {
   ModelStructure structure = definition.structure;
   RobotSpec& robot = structure.robot;
   const auto add = [&](const std::vector<SensorSpec>& sensors) {
@@ -63,7 +63,7 @@ std::optional<ModelState> ModelStates::of(const Trial& trial, const StartState& 
   Trial wanted = trial;
   wanted.measured.channels = extra_;
   wanted.measured.samples.setZero(trial.measured.times.size(), static_cast<Eigen::Index>(extra_.size()));
-  const TrialPredictor predictor(*model_, {std::move(wanted)}, 1);
+  const TrialPredictor predictor(*model_, {std::move(wanted)}, {1, stop_});
   Prediction prediction;
   predictor.predict(predictor.whole(0), values, start, 0, prediction);
   if (!prediction.valid) return std::nullopt;

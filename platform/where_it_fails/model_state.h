@@ -18,7 +18,7 @@ struct ModelState {
 /// Reads the state of a model with additional sensors, which change nothing else.
 class ModelStates {
  public:
-  explicit ModelStates(const ModelDefinition& definition);
+  explicit ModelStates(const ModelDefinition& definition, const Stop& stop = {});
 
   /// The bodies of `ModelState::contacts`.
   const std::vector<std::string>& bodies() const { return bodies_; }
@@ -35,6 +35,7 @@ class ModelStates {
   std::vector<Channel> extra_;      ///< positions, velocities, loads, contacts
   std::vector<std::string> bodies_;
   std::unique_ptr<CompiledModel> model_;
+  Stop stop_;
 };
 
 }  // namespace lacuna

@@ -74,14 +74,14 @@ std::vector<std::size_t> own_features(const RobotSpec& robot, const Channel& cha
 }
 
 std::vector<ChannelTests> tests_of(const RobotSpec& robot, const Rows& rows, const FeatureTable& table,
-                                   std::size_t family, int threads) {
+                                   std::size_t family, const Work& work) {
   std::vector<ChannelTests> all(rows.channels.size());
   for (std::size_t c = 0; c < all.size(); ++c) {
     all[c].channel = rows.channels[c].name;
     all[c].unit = rows.channels[c].unit;
     const Eigen::VectorXd residual = rows.residuals.col(static_cast<Eigen::Index>(c));
-    select_features(
-        {residual, rows.covariates[c], table, family, own_features(robot, rows.channels[c], table), threads}, all[c]);
+    select_features({residual, rows.covariates[c], table, family, own_features(robot, rows.channels[c], table), work},
+                    all[c]);
   }
   return all;
 }
@@ -129,12 +129,12 @@ void part(ResidualView& view, const FeatureTable& table, const Eigen::ArrayXXd& 
                    [](const Regime& a, const Regime& b) { return a.share_of_error > b.share_of_error; });
 }
 
-ResidualView view_of(const RobotSpec& robot, Rows rows, const FeatureTable& table, int threads) {
+ResidualView view_of(const RobotSpec& robot, Rows rows, const FeatureTable& table, const Work& work) {
   const Eigen::ArrayXXd squares = rows.squares();
   ResidualView view;
   view.times_floor = times_floor(squares);
   view.family = kViews * rows.channels.size() * table.features.size();
-  view.channels = tests_of(robot, rows, table, view.family, threads);
+  view.channels = tests_of(robot, rows, table, view.family, work);
   const double all = finite_sum(squares);
   for (std::size_t c = 0; c < view.channels.size() && all > 0.0; ++c)
     view.channels[c].share_of_error = finite_sum(squares.col(static_cast<Eigen::Index>(c))) / all;
@@ -162,15 +162,15 @@ std::vector<Channel> channels_of(const Comparison& comparison) {
 }
 
 ResidualView free_run_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
-                           int threads) {
-  return view_of(robot, free_run_rows(comparison, table), table, threads);
+                           const Work& work) {
+  return view_of(robot, free_run_rows(comparison, table), table, work);
 }
 
 ResidualView acceleration_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
-                               int threads) {
+                               const Work& work) {
   const Accelerations accelerations = unexplained_accelerations(robot, comparison, table);
   if (accelerations.channels.empty()) return {};
-  ResidualView view = view_of(robot, acceleration_rows(accelerations, table.values.rows()), table, threads);
+  ResidualView view = view_of(robot, acceleration_rows(accelerations, table.values.rows()), table, work);
   view.kind = ViewKind::acceleration;
   view.horizon = accelerations.horizon;
   return view;

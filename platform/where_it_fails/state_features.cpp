@@ -5,7 +5,6 @@
 #include "where_it_fails/motion.h"
 #include "fitting/starts/start_states.h"
 #include "foundation/address.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -54,9 +53,9 @@ class FeatureBuilder {
   FeatureBuilder(const FeatureTask& task, std::size_t most)
       : task_(task),
         robot_(task.definition.structure.robot),
-        model_states_(task.definition),
+        model_states_(task.definition, task.work.stop),
         noise_(sensor_noise(robot_, task.trials)),
-        predictor_(task.model, task.trials, 1),
+        predictor_(task.model, task.trials, {1, task.work.stop}),
         states_(robot_, predictor_, noise_) {
     choose_rows(std::max<std::size_t>(most, 1));
     name_features();
@@ -65,8 +64,8 @@ class FeatureBuilder {
   FeatureTable build() {
     table_.values.resize(static_cast<Eigen::Index>(table_.trial.size()),
                          static_cast<Eigen::Index>(table_.features.size()));
-    parallel_for(used_.size(), task_.threads, [&](std::size_t i, int) {
-      throw_if_interrupted();
+    parallel_for(used_.size(), task_.work.threads, [&](std::size_t i, int) {
+      task_.work.stop.throw_if_due();
       fill(used_[i]);
     });
     drop_idle();

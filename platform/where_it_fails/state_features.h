@@ -47,7 +47,7 @@ struct FeatureTask {
   const std::vector<Trial>& trials;  ///< those of the comparison
   const std::vector<double>& values;
   const Comparison& comparison;
-  int threads = 1;
+  Work work = {};
 };
 
 /// Positions and velocities come from the model's free run where it follows every channel of a trial to within three

@@ -1,7 +1,6 @@
 #include "where_it_fails/where_it_fails.h"
 
 #include "where_it_fails/residual_view.h"
-#include "foundation/processes/interrupt.h"
 
 #include <utility>
 
@@ -35,9 +34,9 @@ WhereItFails where_it_fails(const FeatureTask& task) {
   if (where.table.trial.empty()) return where;
   where.whiteness = whiteness_of(task.comparison, channels_of(task.comparison));
   const RobotSpec& robot = task.definition.structure.robot;
-  where.views.push_back(free_run_view(robot, task.comparison, where.table, task.threads));
-  throw_if_interrupted();
-  ResidualView accelerations = acceleration_view(robot, task.comparison, where.table, task.threads);
+  where.views.push_back(free_run_view(robot, task.comparison, where.table, task.work));
+  task.work.stop.throw_if_due();
+  ResidualView accelerations = acceleration_view(robot, task.comparison, where.table, task.work);
   if (!accelerations.channels.empty()) where.views.push_back(std::move(accelerations));
   where.findings = findings_of(task.comparison, where.views);
   return where;

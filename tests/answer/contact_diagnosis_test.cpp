@@ -66,7 +66,7 @@ class HopperDiagnosis : public testing::Test {
                                  .model = *model_,
                                  .trials = trials,
                                  .among = {"restitution", "viscous_friction"},
-                                 .threads = 2});
+                                 .work = {2}});
   }
 
   TestFolder folder_;

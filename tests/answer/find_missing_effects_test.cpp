@@ -45,7 +45,7 @@ class FindMissingEffects : public testing::Test {
                                  .model = *model,
                                  .trials = trials,
                                  .among = among,
-                                 .threads = 2});
+                                 .work = {2}});
   }
 
  private:

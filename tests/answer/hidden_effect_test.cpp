@@ -26,7 +26,7 @@ Diagnosis diagnosed(const std::vector<Trial>& trials, const std::vector<std::str
                                .model = *model,
                                .trials = trials,
                                .among = among,
-                               .threads = 2});
+                               .work = {2}});
 }
 
 Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among, const EffectList& present = {}) {

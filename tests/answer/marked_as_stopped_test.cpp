@@ -1,6 +1,5 @@
 #include "answer/stopped_search.h"
 #include "config/experiment_reader.h"
-#include "foundation/processes/interrupt.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>
@@ -15,9 +14,6 @@ using testing::UnorderedElementsAre;
 
 class MarkedAsStopped : public testing::Test {
  protected:
-  MarkedAsStopped() { begin_time_limit(60.0, "1 min"); }
-  ~MarkedAsStopped() override { lift_time_limit(); }
-
   static Diagnosis sure() {
     Diagnosis diagnosis;
     diagnosis.probability = 0.9;
@@ -26,11 +22,14 @@ class MarkedAsStopped : public testing::Test {
     diagnosis.ranking.resize(1);
     return diagnosis;
   }
+
+  TimeLimit limit_{60.0, "1 min"};
+  const Stop work_{limit_};
 };
 
 TEST_F(MarkedAsStopped, StatesNoProbabilityAndSaysSoFirst) {
   Diagnosis diagnosis = sure();
-  mark_stopped({"the search", {"drag @ body.arm", "spring @ joint.hinge"}, {}}, 0, diagnosis);
+  mark_stopped({"the search", {"drag @ body.arm", "spring @ joint.hinge"}, {}}, work_, 0, diagnosis);
   EXPECT_TRUE(std::isnan(diagnosis.probability));
   EXPECT_FALSE(diagnosis.calibrated);
   EXPECT_THAT(
@@ -45,7 +44,7 @@ TEST_F(MarkedAsStopped, StatesNoProbabilityAndSaysSoFirst) {
 
 TEST_F(MarkedAsStopped, ContinuesWithTheModelsThatWereKept) {
   Diagnosis diagnosis = sure();
-  mark_stopped({"the search", {}, {}}, 3, diagnosis);
+  mark_stopped({"the search", {}, {}}, work_, 3, diagnosis);
   EXPECT_EQ(diagnosis.stopped->next,
             "Run the same command again: it continues after 3 models that this call has finished.");
   EXPECT_THAT(diagnosis.findings, testing::Not(testing::Contains(testing::HasSubstr("Not examined"))));
@@ -53,7 +52,7 @@ TEST_F(MarkedAsStopped, ContinuesWithTheModelsThatWereKept) {
 
 TEST_F(MarkedAsStopped, SaysThatNoCandidateWasExaminedWhereNoneIsRanked) {
   Diagnosis nothing;
-  mark_stopped({"the fit of the model", {}, {}}, 0, nothing);
+  mark_stopped({"the fit of the model", {}, {}}, work_, 0, nothing);
   EXPECT_EQ(nothing.findings[1], "No candidate was examined.");
 }
 
@@ -76,7 +75,7 @@ TEST_F(StoppedBeforeSearch, NamesEveryCandidateAtItsPlace) {
 
 TEST_F(StoppedBeforeSearch, HasExaminedNothing) {
   const Diagnosis diagnosis =
-      stopped_before_search(experiment_, built_catalog(), definition_, among_, "the checks of the data");
+      stopped_before_search(experiment_, built_catalog(), definition_, among_, "the checks of the data", work_);
   EXPECT_EQ(diagnosis.verdict, Verdict::cannot_tell);
   EXPECT_TRUE(diagnosis.ranking.empty());
   ASSERT_TRUE(diagnosis.stopped);

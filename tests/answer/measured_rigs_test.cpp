@@ -38,7 +38,7 @@ class MeasuredRig : public ::testing::Test {
                                  .model = *model,
                                  .trials = trials,
                                  .among = std::move(among),
-                                 .threads = 2});
+                                 .work = {2}});
   }
 
   static std::vector<std::string> answer(const Diagnosis& diagnosis) {

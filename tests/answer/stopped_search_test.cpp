@@ -1,7 +1,6 @@
 #include "answer/find_missing_effects.h"
 #include "config/experiment_reader.h"
 #include "data_checks/recorded_pendulum.h"
-#include "foundation/processes/interrupt.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>
@@ -24,28 +23,26 @@ class StoppedSearchTest : public testing::Test {
     experiment_.noise = {};
     experiment_.model.effects = {};
   }
-  ~StoppedSearchTest() override { lift_time_limit(); }
 
   Diagnosis stopped_after(std::int64_t checks, const KeptFits* known = nullptr) {
     const ModelDefinition definition = define_model(experiment_, built_catalog());
     const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
     kept_.reset();
     parts_.clear();
-    begin_time_limit(1e-3 * static_cast<double>(checks), "1 s", clock_of_checks);
+    TimeLimit limit(1e-3 * static_cast<double>(checks), "1 s", clock_of_checks);
     const std::int64_t begin = checks_of_limit;
-    Diagnosis diagnosis =
-        find_missing_effects({.experiment = experiment_,
-                              .catalog = built_catalog(),
-                              .definition = definition,
-                              .model = *model,
-                              .trials = trials_,
-                              .among = {"joint_spring", "coulomb_friction", "joint_offset_torque"},
-                              .threads = 1,
-                              .progress = [&](const Progress& now) { parts_.emplace(now.what, spent(begin)); },
-                              .known = known,
-                              .keep = [&](const KeptFits& fits) { kept_ = fits; }});
+    Diagnosis diagnosis = find_missing_effects(
+        {.experiment = experiment_,
+         .catalog = built_catalog(),
+         .definition = definition,
+         .model = *model,
+         .trials = trials_,
+         .among = {"joint_spring", "coulomb_friction", "joint_offset_torque"},
+         .work = {.stop = Stop(limit),
+                  .progress = [&](const Progress& now) { parts_.emplace(now.what, spent(begin)); }},
+         .known = known,
+         .keep = [&](const KeptFits& fits) { kept_ = fits; }});
     used_ = spent(begin);
-    lift_time_limit();
     return diagnosis;
   }
 

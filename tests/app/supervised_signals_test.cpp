@@ -49,7 +49,7 @@ TEST(RunSupervised, APluginThatIgnoresAWishIsEndedWithinTwoSeconds) {
 int end_what_takes_its_time(int, char**) {
   watch_for_interrupts();
   Supervisor::say_ready();
-  while (!interrupt_requested()) std::this_thread::sleep_for(kAWhile / 10);
+  while (!when_interrupted().is_due()) std::this_thread::sleep_for(kAWhile / 10);
   std::this_thread::sleep_for(15 * kAWhile);  // a rig that is brought to rest
   return 75;
 }
@@ -93,7 +93,7 @@ int abort_once_asked(int, char**) {
   CallPage::allow_new_beginning(true);
   watch_for_interrupts();
   Supervisor::say_ready();
-  while (!interrupt_requested()) std::this_thread::sleep_for(kAWhile / 10);
+  while (!when_interrupted().is_due()) std::this_thread::sleep_for(kAWhile / 10);
   const PluginCall call(component_on_page("effect \"hasty\""), "add_loads");
   std::abort();
 }

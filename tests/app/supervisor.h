@@ -76,7 +76,7 @@ inline int until_interrupted(int, char**) {
   Supervisor::say_ready();
   for (;;) {
     try {
-      pause_for(60.0);
+      when_interrupted().pause_for(60.0);
     } catch (const Interrupted&) {
       return 75;
     }

@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,12 +96,13 @@ json every_set(const SearchResult& found) {
   return result;
 }
 
-json search(const std::string& file) {
+json search(const std::string& file, const Stop& stop) {
   const double begin = processor_seconds();
   CommonOptions options;
   options.experiment = file;
   const OpenExperiment opened = open_experiment(options);
   EffectSearchTask task{opened.experiment, *opened.catalog, opened.trials, opened.definition.start_values()};
+  task.work.stop = stop;
   if (std::getenv("LACUNA_NOTES") != nullptr)
     task.note = [&](const std::string& what) {
       fmt::print(stderr, "{:.1f} s {}\n", processor_seconds() - begin, what);
@@ -112,9 +114,10 @@ int print_sets(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     json result;
     const double begin = processor_seconds();
-    if (const char* seconds = std::getenv("LACUNA_SECONDS")) begin_time_limit(std::atof(seconds), seconds);
+    std::optional<TimeLimit> limit;
+    if (const char* seconds = std::getenv("LACUNA_SECONDS")) limit.emplace(std::atof(seconds), seconds);
     try {
-      result = search(file);
+      result = search(file, limit ? when_interrupted().within(*limit) : when_interrupted());
     } catch (const std::exception& error) {
       result["failure"] = error.what();
     }

@@ -29,7 +29,7 @@ Motion motion_of(const Eigen::VectorXd& position, double interval) {
 /// The model's acceleration over one sample from each state.
 Eigen::VectorXd predicted(const CompiledModel& model, const Trial& trial, std::span<const double> values,
                           const Motion& motion, double interval, Eigen::Index ends) {
-  const TrialPredictor predictor(model, {trial}, 1);
+  const TrialPredictor predictor(model, {trial}, {1});
   const double per_acceleration = 0.5 * interval * interval;
   Eigen::VectorXd found = Eigen::VectorXd::Zero(motion.position.size());
   Prediction prediction;

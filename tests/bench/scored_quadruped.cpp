@@ -30,7 +30,7 @@ void ScoredQuadruped::run(int steps) {
     scored.trial.measured = measured.result().readings;
     static const PluginCatalog catalog({LACUNA_PLUGINS_DIRECTORY});
     const Chosen<FitnessMetric> metric{&catalog.get<FitnessMetric>("mean_absolute_difference"), {}, {}};
-    scorer_ = std::make_unique<ModelScorer>(*model_, std::vector<ScoredTrial>{scored}, metric, 1);
+    scorer_ = std::make_unique<ModelScorer>(*model_, std::vector<ScoredTrial>{scored}, metric, Work{1});
   }
   scorer_->score({masses_}, std::nullopt, 0, score_);
   if (score_.kind != ScoreKind::full || score_.total != 0.0) throw Error("the same quadruped scores another motion");

@@ -106,7 +106,7 @@ double TimedRun::unstored(int threads) const {
               .journal = journal,
               .seed = 1,
               .replicate = 1,
-              .threads = threads,
+              .work = {threads},
               .truth = opened_.truth(1),
               .target = opened_.target() ? &opened_.target()->structure.robot : nullptr,
               .progress = {}},

@@ -75,7 +75,7 @@ TEST(EeaLoop, AModelWithTheTruthExplainsEveryTrial) {
     const Genome& genome = journal.tests[*journal.trial_rows[i].test].genome;
     scored.push_back({opened->definition().decode_test(genome), journal.trials[i], 0});
   }
-  const ModelScorer scorer(*opened->definition().compiled, scored, opened->definition().metric, 1);
+  const ModelScorer scorer(*opened->definition().compiled, scored, opened->definition().metric, {1});
   ModelScore score;
   scorer.score({opened->truth(1)}, std::nullopt, 0, score);
   EXPECT_EQ(score.kind, ScoreKind::full);

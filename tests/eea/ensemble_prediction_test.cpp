@@ -30,7 +30,7 @@ class EnsemblePredictionTest : public testing::Test {
     return definition().observed(definition().decode_test(journal_.tests.at(test).genome), journal_.trials.at(trial));
   }
   EnsemblePrediction predict(int threads) const {
-    return predict_test(definition(), ensemble_, as_carried_out(observed(0)), definition().sample_times, threads);
+    return predict_test(definition(), ensemble_, as_carried_out(observed(0)), definition().sample_times, {threads});
   }
 
   std::unique_ptr<OpenEeaRun> opened_;
@@ -47,7 +47,7 @@ TEST_F(EnsemblePredictionTest, LetsTheControllerDriveEachModel) {
   PassEnsemble first = ensemble_;
   first.models.resize(1);
   const EnsemblePrediction alone =
-      predict_test(definition(), first, as_carried_out(observed(0)), definition().sample_times, 1);
+      predict_test(definition(), first, as_carried_out(observed(0)), definition().sample_times, {1});
   EXPECT_GT((prediction.band.half_width - alone.band.half_width).maxCoeff(), 0.0) << "models differ in what they do";
   EXPECT_EQ(predict(2).band.half_width, prediction.band.half_width);
 }

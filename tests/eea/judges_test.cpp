@@ -81,7 +81,7 @@ TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
   // Against two simulations of another width: of a mass, and of a lag, of which only whole steps count.
   const ModelProposal& judge = state.best.front().model;
   const std::vector<FreeValue>& values = opened->definition().model.free;
-  const TestPredictor predictor(*opened->definition().compiled, opened->definition().sample_times, 1);
+  const TestPredictor predictor(*opened->definition().compiled, opened->definition().sample_times, {1});
   int lags = 0;
   for (std::size_t k = 0; k < free; ++k) {
     const bool is_lag = values[k].address.ends_with("delay");

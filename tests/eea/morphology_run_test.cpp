@@ -29,7 +29,7 @@ TEST(MorphologyRun, AGenomeOfTheTargetExplainsItsTrials) {
   const ScoredTrial trial = trial_of(*opened, journal, 0);
   EXPECT_EQ(trial.trial.measured.channels.size(), 20U) << "the ranges alone";
   EXPECT_EQ(trial.trial.measured.times.size(), 21);
-  const ModelScorer scorer(*definition.compiled, {trial}, definition.metric, 1, &definition.model);
+  const ModelScorer scorer(*definition.compiled, {trial}, definition.metric, {1}, &definition.model);
   ModelScore exact, random;
   scorer.score(definition.decode_model(five_cylinders_genome()), std::nullopt, 0, exact);
   EXPECT_EQ(exact.kind, ScoreKind::full) << exact.reason;

@@ -19,7 +19,7 @@ ProcessSource server_of(const Program& program, const std::map<std::string, std:
 
 McpClient::McpClient(const Program& program, const std::map<std::string, std::string>& environment,
                      const std::vector<std::string>& options)
-    : server_(server_of(program, environment, options)) {}
+    : server_(server_of(program, environment, options), Stop()) {}
 
 void McpClient::send(const std::string& line) { server_.send(line, ChildLines::in(kPatience)); }
 

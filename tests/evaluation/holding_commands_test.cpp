@@ -92,7 +92,7 @@ double moved(const Trial& trial, double seconds) {
   RobotSpec robot = arm();
   robot.actuators[0].delay = 0.02;
   const auto model = compiled(robot);
-  const TrialPredictor predictor(*model, {trial}, 1);
+  const TrialPredictor predictor(*model, {trial}, {1});
   Prediction prediction;
   predictor.predict(predictor.whole(0), {}, {{kAngle}, {0.0}}, 0, prediction);
   EXPECT_TRUE(prediction.valid) << prediction.reason;
@@ -123,7 +123,7 @@ TEST(TrialPast, OfAMotorThatIsOffIsThatItWasOff) {
 
 TEST(TrialPast, IsUnknownWhereNeitherCommandNorRestIsStated) {
   const auto model = compiled(arm());
-  const auto unknown = [&](const Trial& trial) { return TrialPredictor(*model, {trial}, 1).past_is_unknown(0); };
+  const auto unknown = [&](const Trial& trial) { return TrialPredictor(*model, {trial}, {1}).past_is_unknown(0); };
   EXPECT_TRUE(unknown(raised(0.3, {kUnknown}, InitialKnowledge::from_data)));
   EXPECT_TRUE(unknown(raised(0.3, {kUnknown}, InitialKnowledge::free)));
   EXPECT_FALSE(unknown(raised(0.3, {0.0}, InitialKnowledge::from_data)));

@@ -57,14 +57,14 @@ Chosen<FitnessMetric> mean_metric() {
 }
 
 ModelScore profiled_score(const LateRig& rig, double mass, double lag_of_candidate) {
-  const ModelScorer scorer(*rig.model, rig.trials(), mean_metric(), 1, &rig.definition, {1});
+  const ModelScorer scorer(*rig.model, rig.trials(), mean_metric(), {1}, &rig.definition, {1});
   ModelScore score;
   scorer.score({{mass, lag_of_candidate}}, std::nullopt, 0, score);
   return score;
 }
 
 double simulated_score(const LateRig& rig, double mass, double lag) {
-  const ModelScorer scorer(*rig.model, rig.trials(), mean_metric(), 1);
+  const ModelScorer scorer(*rig.model, rig.trials(), mean_metric(), {1});
   ModelScore score;
   scorer.score({{mass, lag}}, std::nullopt, 0, score);
   return score.total;
@@ -88,7 +88,7 @@ TEST(LagProfile, ScoresAsASimulationWithThatLagDoesAndNoOtherLagIsBetter) {
 TEST(LagProfile, BetweenWholeStepsWhereTheyMeanSomething) {
   const LateRig rig(DelayRounding::none);
   ModelScore score;
-  const ModelScorer scorer(*rig.model, {rig.trial(2.0, 0.0637, 1.0)}, mean_metric(), 1, &rig.definition, {1});
+  const ModelScorer scorer(*rig.model, {rig.trial(2.0, 0.0637, 1.0)}, mean_metric(), {1}, &rig.definition, {1});
   scorer.score({{2.0, 0.0}}, std::nullopt, 0, score);
   EXPECT_NEAR(score.values.at(1), 0.0637, 1e-6);
 }
@@ -102,7 +102,7 @@ TEST(LagProfile, WhatWasNotMeasuredCountsForNothing) {
   const LateRig rig(DelayRounding::step);
   std::vector<ScoredTrial> trials = rig.trials();
   trials[0].trial.measured.samples.topRows(20).setConstant(std::nan(""));
-  const ModelScorer scorer(*rig.model, trials, mean_metric(), 1, &rig.definition, {1});
+  const ModelScorer scorer(*rig.model, trials, mean_metric(), {1}, &rig.definition, {1});
   ModelScore score;
   scorer.score({{2.0, 0.0}}, std::nullopt, 0, score);
   EXPECT_NEAR(score.values.at(1), kTrueLag, 1e-12);

@@ -68,7 +68,7 @@ double mean_difference(const ScoredTrial& a, const ScoredTrial& b) {
 TEST(ModelScorer, ScoresEachTrialAndAllTogether) {
   const Rig rig;
   const ScoredTrial first = rig.trial(kTrueMass), second = rig.trial(3.0);
-  const ModelScorer scorer(*rig.model, {first, second}, metric(), 1);
+  const ModelScorer scorer(*rig.model, {first, second}, metric(), {1});
   const ModelScore score = score_of(scorer, kTrueMass);
   ASSERT_EQ(score.trials.size(), 2U);
   EXPECT_EQ(score.trials[0], 0.0);
@@ -82,12 +82,12 @@ TEST(ModelScorer, SamplesBeforeTheFirstAreNotScored) {
   ScoredTrial trial = rig.trial(kTrueMass);
   trial.trial.measured.samples.topRows(10).setConstant(1e6);
   trial.first_sample = 10;
-  EXPECT_EQ(score_of(ModelScorer(*rig.model, {trial}, metric(), 1), kTrueMass).total, 0.0);
+  EXPECT_EQ(score_of(ModelScorer(*rig.model, {trial}, metric(), {1}), kTrueMass).total, 0.0);
 }
 
 TEST(ModelScorer, ABarEndsWhatCannotGetUnderIt) {
   const Rig rig;
-  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass), rig.trial(kTrueMass)}, metric(), 1);
+  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass), rig.trial(kTrueMass)}, metric(), {1});
   const ModelScore whole = score_of(scorer, 4.0);
   const ModelScore cut = score_of(scorer, 4.0, 0.1 * whole.total);
   EXPECT_EQ(cut.kind, ScoreKind::abandoned);
@@ -115,7 +115,7 @@ class Faulty : public FitnessMetric {
 TEST(ModelScorer, AMetricThatThrowsMakesTheEvaluationInvalidAndIsNamed) {
   const Rig rig;
   const Faulty faulty;
-  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, {&faulty, {}, {"metric", "faulty", "faulty.so"}}, 1);
+  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, {&faulty, {}, {"metric", "faulty", "faulty.so"}}, {1});
   const ModelScore score = score_of(scorer, 1.0);
   EXPECT_EQ(score.kind, ScoreKind::invalid);
   EXPECT_EQ(score.total, kInfinity);
@@ -150,7 +150,7 @@ TEST(ModelScorer, AScoreOfFiniteReadingsThatIsNoNumberIsTheMetricsFaultNotTheMod
   const Rig rig;
   for (const double bad : {std::nan(""), kInfinity, -kInfinity}) {
     const Constant constant(bad);
-    const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, {&constant, {}, {"metric", "odd", "odd.so"}}, 1);
+    const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, {&constant, {}, {"metric", "odd", "odd.so"}}, {1});
     const ModelScore score = score_of(scorer, 1.0);
     EXPECT_EQ(score.kind, ScoreKind::invalid);
     EXPECT_EQ(score.total, kInfinity) << "the worst, whatever the metric says";
@@ -163,14 +163,14 @@ TEST(ModelScorer, WithoutAMeasuredValueBlamesNeitherMetricNorModel) {
   const Rig rig;
   ScoredTrial trial = rig.trial(kTrueMass);
   trial.trial.measured.samples.setConstant(std::nan(""));
-  const ModelScore score = score_of(ModelScorer(*rig.model, {trial}, metric(), 1), 1.0);
+  const ModelScore score = score_of(ModelScorer(*rig.model, {trial}, metric(), {1}), 1.0);
   EXPECT_EQ(score.kind, ScoreKind::invalid);
   EXPECT_THAT(score.reason, testing::StartsWith("no trial has a reading from which a score could be computed"));
 }
 
 TEST(ModelScorer, AValueOutOfBoundsIsInvalidWithItsReasonAndTheNextModelIsNot) {
   const Rig rig;
-  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 1);
+  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), {1});
   const ModelScore bad = score_of(scorer, std::nan(""));
   EXPECT_EQ(bad.kind, ScoreKind::invalid);
   EXPECT_FALSE(bad.reason.empty());
@@ -189,7 +189,7 @@ std::vector<EvaluatedModel> evaluate(ModelEvaluator& evaluator, const ModelScore
 
 TEST(ModelEvaluator, SimulatesIdenticalModelsOnce) {
   const Rig rig;
-  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 2);
+  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), {2});
   ModelEvaluator evaluator(rig.definition, {});
   const auto first = evaluate(evaluator, scorer, {{{1.0}}, {{2.0}}, {{1.0}}}, std::nullopt);
   EXPECT_FALSE(first[0].reused);
@@ -201,7 +201,7 @@ TEST(ModelEvaluator, SimulatesIdenticalModelsOnce) {
 
 TEST(ModelEvaluator, WhatWasAbandonedIsSimulatedAgainWhereTheBarIsHigher) {
   const Rig rig;
-  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 1);
+  const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), {1});
   ModelEvaluator evaluator(rig.definition, {});
   const double whole = score_of(scorer, 6.0).total;
   EXPECT_EQ(evaluate(evaluator, scorer, {{{6.0}}}, 0.1 * whole)[0].score.kind, ScoreKind::abandoned);

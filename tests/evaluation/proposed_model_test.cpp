@@ -167,7 +167,7 @@ class ProposedModelEvaluation : public ProposedModel {
     scored.trial.name = "pushed";
     scored.trial.measured = result.readings;
     const Chosen<FitnessMetric> metric{&built_catalog().get<FitnessMetric>("mean_absolute_difference"), {}, {}};
-    scorer_ = std::make_unique<ModelScorer>(*shared_, std::vector{scored}, metric, 2, &definition_);
+    scorer_ = std::make_unique<ModelScorer>(*shared_, std::vector{scored}, metric, Work{2}, &definition_);
   }
 
   std::unique_ptr<ModelScorer> scorer_;

@@ -22,7 +22,7 @@ Trial pushed_trial() {
 
 TEST(TrialPredictor, AWholeTrialFromItsStartIsTheRecording) {
   const OneJointModel model(pushed);
-  const TrialPredictor predictor(model, {pushed_trial()}, 1);
+  const TrialPredictor predictor(model, {pushed_trial()}, {1});
   Prediction prediction;
   TimeSeries::Samples residuals;
   predictor.predict(predictor.whole(0), std::vector{2.0}, {{0.1}, {0.3}}, 0, prediction);
@@ -35,7 +35,7 @@ TEST(TrialPredictor, AStretchReplaysTheCommandsOfItsOwnTime) {
   // Velocity in the middle from the positions around it, so a wrong clock would show at once.
   const OneJointModel model(pushed);
   const Trial trial = pushed_trial();
-  const TrialPredictor predictor(model, {trial}, 1);
+  const TrialPredictor predictor(model, {trial}, {1});
   SimulationOptions options;
   const Stretch stretch{0, 80, 140};
   const auto& q = trial.measured.samples;
@@ -52,7 +52,7 @@ TEST(TrialPredictor, CommandsActLaterWhereTheirTimingIsFitted) {
   const Trial trial = pushed_trial();
   Trial late = trial;
   late.commands.series.times.array() += 0.3 * command_interval(trial);
-  const TrialPredictor timed(model, {trial, late}, 1, Timing::fitted), recorded(model, {trial, late}, 1);
+  const TrialPredictor timed(model, {trial, late}, {1}, Timing::fitted), recorded(model, {trial, late}, {1});
   Prediction by_timing, by_times, as_recorded;
   timed.predict(timed.whole(0), std::vector{2.0, 0.3}, {{0.1}, {0.3}}, 0, by_timing);
   recorded.predict(recorded.whole(1), std::vector{2.0}, {{0.1}, {0.3}}, 0, by_times);
@@ -65,7 +65,8 @@ TEST(TrialPredictor, TimedCommandsAreThoseOfTheirTrial) {
   const OneJointModel model(pushed);
   Trial back = pushed_trial();
   back.commands.series.samples = -back.commands.series.samples;
-  const TrialPredictor both(model, {pushed_trial(), back}, 1, Timing::fitted), alone(model, {back}, 1, Timing::fitted);
+  const TrialPredictor both(model, {pushed_trial(), back}, {1}, Timing::fitted),
+      alone(model, {back}, {1}, Timing::fitted);
   Prediction before, after, expected;
   both.predict(both.whole(0), std::vector{2.0, 0.3}, {{0.1}, {0.3}}, 0, before);
   both.predict(both.whole(1), std::vector{2.0, 0.3}, {{0.1}, {0.3}}, 0, after);
@@ -86,7 +87,7 @@ TEST(CommandInterval, OfRareRowsIsTenOfTheReadings) {
 
 TEST(TrialPredictor, OneSampleIsTheStart) {
   const OneJointModel model(pushed);
-  const TrialPredictor predictor(model, {pushed_trial()}, 1);
+  const TrialPredictor predictor(model, {pushed_trial()}, {1});
   Prediction prediction;
   predictor.predict({0, 50, 51}, std::vector{2.0}, {{0.7}, {0.0}}, 0, prediction);
   EXPECT_EQ(prediction.samples(0, 0), 0.7);
@@ -94,7 +95,7 @@ TEST(TrialPredictor, OneSampleIsTheStart) {
 
 TEST(TrialPredictor, AFailedSimulationIsInvalidWithAReasonAndTheNextOneIsNot) {
   const OneJointModel model(pushed);
-  const TrialPredictor predictor(model, {pushed_trial()}, 1);
+  const TrialPredictor predictor(model, {pushed_trial()}, {1});
   Prediction prediction;
   predictor.predict(predictor.whole(0), std::vector{0.0}, {{0.1}, {0.3}}, 0, prediction);
   EXPECT_FALSE(prediction.valid);
@@ -108,20 +109,20 @@ TEST(TrialPredictor, RefusesChannelsThatTheModelDoesNotHave) {
   Trial trial = pushed_trial();
   trial.measured.channels[0].name = "angel";
   try {
-    const TrialPredictor predictor(model, {trial}, 1);
+    const TrialPredictor predictor(model, {trial}, {1});
     FAIL() << "nothing was thrown";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("did you mean \"angle\"?"));
   }
   trial.measured.channels[0] = {"angle", "m"};
-  EXPECT_THROW(TrialPredictor(model, {trial}, 1), Error);
+  EXPECT_THROW(TrialPredictor(model, {trial}, {1}), Error);
 }
 
 TEST(TrialPredictor, ResidualsAreMissingWhereNothingWasMeasured) {
   const OneJointModel model(pushed);
   Trial trial = pushed_trial();
   trial.measured.samples(7, 0) = std::nan("");
-  const TrialPredictor predictor(model, {trial}, 1);
+  const TrialPredictor predictor(model, {trial}, {1});
   Prediction prediction;
   TimeSeries::Samples residuals;
   predictor.predict(predictor.whole(0), std::vector{2.0}, {{0.1}, {0.3}}, 0, prediction);

@@ -45,7 +45,7 @@ TEST(NextTest, BeatsTheMedianRandomTestAndStaysWithinTheLimits) {
   EXPECT_THAT(to_string(test), testing::StartsWith(test.line + ": "));
   const TestLine read = parse_test_line(task.space, test.line);  // throws beyond the limits
   EXPECT_EQ(read.duration, task.space.duration);
-  task.threads = 2;
+  task.work.threads = 2;
   const NextTest again = next_test(task);
   EXPECT_EQ(again.line, test.line);
   EXPECT_EQ(again.nats, test.nats);
@@ -103,7 +103,7 @@ struct Scan {
       times.push_back(i * task.space.control_period);
   }
   Eigen::VectorXd readings(const Pendulum& pendulum, const std::vector<double>& values) const {
-    const TestPredictor predictor(*pendulum.model, times, 1);
+    const TestPredictor predictor(*pendulum.model, times, {1});
     TestPrediction prediction;
     std::uint64_t steps = 0;
     std::string reason;
@@ -149,7 +149,7 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
   const Pendulum pendulum("");
   const RivalModel rival = pendulum.rival("rigid", {1e-4, 1e-9});
   const std::vector<double> times = {0.0, 0.5, 1.0, 1.5};
-  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {1e-4, 0.0}, 1);
+  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {1e-4, 0.0}, {1});
   lacuna::Test test;
   test.duration = 1.5;
   CommandSeries commands;
@@ -159,7 +159,7 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
   ASSERT_TRUE(predictor.predict(test, 0, prediction));
   ASSERT_EQ(prediction.follows.cols(), 3) << "mass, damping, and where it starts; not how fast";
   const auto read = [&](double mass, double start) {
-    const TestPredictor plain(*pendulum.model, times, 1);
+    const TestPredictor plain(*pendulum.model, times, {1});
     TestPrediction seen;
     std::uint64_t steps = 0;
     std::string reason;
@@ -185,7 +185,7 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
   rival.command_shift = kShift;
   for (const Eigen::Index held : {0, 1}) rival.covariance(held, held) = 1e-20;
   const std::vector<double> times = {0.5, 1.0, 1.5};
-  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {}, 1);
+  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {}, {1});
   lacuna::Test test;
   test.duration = 1.5;
   CommandSeries commands;
@@ -194,7 +194,7 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
   RivalPrediction prediction;
   ASSERT_TRUE(predictor.predict(test, 0, prediction));
   const auto read = [&](double delay) {
-    const TestPredictor plain(*pendulum.model, times, 1);
+    const TestPredictor plain(*pendulum.model, times, {1});
     TestPrediction seen;
     std::uint64_t steps = 0;
     std::string reason;
@@ -227,7 +227,7 @@ TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
   const Genome genome = parse_test_line(task.space, test.line).genome;
   EXPECT_NEAR(judge.nats(genome, 0, "sine"), 0.0, 1e-9) << "both know that weight";
   EXPECT_EQ(judge.nats(genome, 0, "steps"), test.nats);
-  task.threads = 2;
+  task.work.threads = 2;
   const NextTest again = next_test(task);
   EXPECT_EQ(again.line, test.line);
   EXPECT_EQ(again.setup, test.setup);

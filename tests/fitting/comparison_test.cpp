@@ -22,7 +22,7 @@ Comparison compare_spring(const std::vector<Trial>& trials, double damping) {
   const OneJointModel model(spring);
   const ModelDefinition definition = spring_definition();
   const NoiseSection noise;
-  return compare({definition, model, trials, noise, {damping}, nullptr, {0.1, 0.5}, 1, 2});
+  return compare({definition, model, trials, noise, {damping}, nullptr, {0.1, 0.5}, 1, {2}});
 }
 
 TEST(Compare, TheRightModelsErrorIsTheFloor) {
@@ -217,8 +217,8 @@ TEST(Compare, GivesTheSameDigitsForAnyNumberOfThreads) {
   const NoiseSection noise;
   std::vector<Trial> trials = {spring_trial(kNoise, 1), spring_trial(kNoise, 2)};
   for (Trial& trial : trials) trial.command_noise = {0.05};
-  const Comparison one = compare({definition, model, trials, noise, {0.5}, nullptr, {0.1}, 1, 1});
-  const Comparison two = compare({definition, model, trials, noise, {0.5}, nullptr, {0.1}, 1, 2});
+  const Comparison one = compare({definition, model, trials, noise, {0.5}, nullptr, {0.1}, 1, {1}});
+  const Comparison two = compare({definition, model, trials, noise, {0.5}, nullptr, {0.1}, 1, {2}});
   for (std::size_t t = 0; t < 2; ++t) {
     EXPECT_EQ(one.trials[t].channels[0].rmse, two.trials[t].channels[0].rmse);
     EXPECT_EQ(one.trials[t].channels[0].floor, two.trials[t].channels[0].floor);

@@ -1,7 +1,6 @@
 #include "fitting/fit.h"
 
 #include "fitting/analytic_models.h"
-#include "foundation/processes/interrupt.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,7 +45,7 @@ ModelDefinition pendulum_definition() {
 FitResult fit_pendulum(const std::vector<Trial>& trials, const FitSection& options = {}, int threads = 2) {
   const OneJointModel model(pendulum);
   const ModelDefinition definition = pendulum_definition();
-  return fit({definition, model, trials, options, 1, threads});
+  return fit({definition, model, trials, options, 1, {threads}});
 }
 
 void expect_truth(const FitResult& result, double tolerance) {
@@ -184,7 +183,7 @@ TEST(Fit, InvalidSimulationsInsideTheSearchDoNotEndIt) {
   ModelDefinition definition = pendulum_definition();
   definition.free[0].start = 6.0;
   const std::vector<Trial> trials = {pendulum_trial(4.0, kNoise, 3)};
-  const FitResult result = fit({definition, model, trials, {}, 1, 2});
+  const FitResult result = fit({definition, model, trials, {}, 1, {2}});
   expect_truth(result, 0.05);
   EXPECT_GT(result.invalid_simulations, 0u);
 }
@@ -317,7 +316,8 @@ TEST(Fit, ReportsProgressThatEnds) {
   const ModelDefinition definition = pendulum_definition();
   const std::vector<Trial> trials = {pendulum_trial(2.0, kNoise, 3)};
   std::vector<double> fractions;
-  fit({definition, model, trials, {}, 1, 1, [&](const Progress& progress) { fractions.push_back(progress.fraction); }});
+  const auto note = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
+  fit({definition, model, trials, {}, 1, {.threads = 1, .progress = note}});
   ASSERT_FALSE(fractions.empty());
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_GT(fractions.back(), 0.5);
@@ -330,20 +330,17 @@ std::int64_t counting_clock() { return ++looks_at_the_clock; }
 /// A fit that is stopped after so many looks at the clock, one before each simulation: no machine's speed counts.
 class StoppedFit : public testing::Test {
  protected:
-  ~StoppedFit() override { lift_time_limit(); }
-
   FitResult stopped_after(std::int64_t looks, bool best_at_time_limit = true) {
     const OneJointModel model(pendulum);
-    begin_time_limit(1e-3 * static_cast<double>(looks), "1 s", counting_clock);
+    TimeLimit limit(1e-3 * static_cast<double>(looks), "1 s", counting_clock);
     const std::int64_t begin = looks_at_the_clock;
     FitResult result = fit({.definition = definition_,
                             .model = model,
                             .trials = trials_,
                             .options = {},
-                            .threads = 1,
+                            .work = {.stop = Stop(limit)},
                             .best_at_time_limit = best_at_time_limit});
     used_ = looks_at_the_clock - begin;
-    lift_time_limit();
     return result;
   }
 
@@ -374,7 +371,7 @@ TEST_F(StoppedFit, ThrowsWhereNobodyWantsTheBestSoFar) { EXPECT_THROW(stopped_af
 TEST_F(StoppedFit, HasTheSameDigitsWithALimitThatIsNotReached) {
   const FitResult limited = stopped_after(1'000'000'000);
   const OneJointModel model(pendulum);
-  const FitResult free = fit({definition_, model, trials_, {}, 1, 1});
+  const FitResult free = fit({definition_, model, trials_, {}, 1, {1}});
   EXPECT_EQ(limited.parameters(), free.parameters());
 }
 

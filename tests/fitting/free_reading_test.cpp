@@ -67,7 +67,7 @@ TEST_P(FreeStart, IsReadOffPoses) {
     }
     return all;
   }();
-  const TrialPredictor predictor(*model_, {flown(*model_)}, 1);
+  const TrialPredictor predictor(*model_, {flown(*model_)}, {1});
   const StartStates states(brick(), predictor, noise);
   EXPECT_TRUE(states.reconstructible(0));
   const StartEstimate estimate = states.from_samples(predictor.whole(0), 0);
@@ -79,7 +79,7 @@ TEST_P(FreeStart, IsReadOffPoses) {
 
 /// What it is read to be leads where it went.
 TEST_P(FreeStart, LeadsToTheMeasuredMotion) {
-  const TrialPredictor predictor(*model_, {flown(*model_)}, 1);
+  const TrialPredictor predictor(*model_, {flown(*model_)}, {1});
   Prediction prediction;
   predictor.predict(predictor.whole(0), {}, kStart, 0, prediction);
   ASSERT_TRUE(prediction.valid) << prediction.reason;

@@ -55,7 +55,7 @@ FittedValue fitted_damping(const std::string& engine, int substeps) {
   const std::vector<Trial> trials = {let_go(0.2, 1), let_go(0.12, 2)};
   FitSection options;
   options.starts = 1;
-  return fit({definition, *model, trials, options, 1, 2}).values[1];
+  return fit({definition, *model, trials, options, 1, {2}}).values[1];
 }
 
 TEST(Glider, ShowsItsDampingAtFiftyStepsAPeriod) {

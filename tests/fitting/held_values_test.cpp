@@ -27,7 +27,7 @@ class HeldValues : public testing::Test {
   static constexpr double kNoise = 1e-4;
   const FormulaModel model_{line_and_wave};
   const Trial trial_ = record(model_, {1.0, 2.0}, regular_times(401, 200.0), {}, {}, kNoise, 1);
-  const TrialPredictor predictor_{model_, {trial_}, 1};
+  const TrialPredictor predictor_{model_, {trial_}, {1}};
   const ParameterSpace space_{
       {free_value("joint.hinge.damping", 0.0, -50.0, 50.0), free_value("effect.wave.size", 0.0, -50.0, 50.0)}};
   const std::vector<ChannelNoise> noise_ = sensor_noise({}, predictor_.trials());

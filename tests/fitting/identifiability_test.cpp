@@ -21,7 +21,7 @@ FitResult fit_slider(const OneJointModel::Acceleration& acceleration, std::vecto
   const ModelDefinition definition = define(std::move(free), one_joint_robot());
   const std::vector<Trial> trials = {
       record(model, truth, regular_times(801, 200.0), two_sines(4.0, 5.0), {{0.0}, {0.0}}, 1e-3, 7)};
-  return fit({definition, model, trials, {}, 1, 2});
+  return fit({definition, model, trials, {}, 1, {2}});
 }
 
 TEST(Identifiability, MassAndGainOfAFreeSliderAreKnownByTheirRatioOnly) {

@@ -49,7 +49,7 @@ std::vector<Eigen::VectorXd> slider_starts(int count, std::uint64_t seed) {
   const OneJointModel model([](std::span<const double> p, double, double v, double u) { return u - p[0] * v; });
   const ModelDefinition definition = define({free_value("b", 0.0, 0.0, 1e4)}, one_joint_robot());
   const Trial trial = record(model, {0.5}, regular_times(801, 200.0), two_sines(4.0, 1.0), {{0.0}, {0.0}}, 1e-3, 3);
-  const TrialPredictor predictor(model, {trial}, 1);
+  const TrialPredictor predictor(model, {trial}, {1});
   const std::vector<ChannelNoise> noise = {{"angle", "rad", 1e-3, ""}};
   const StartStates states(one_joint_robot(), predictor, noise);
   const ParameterSpace space(definition.free);

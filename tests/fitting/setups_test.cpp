@@ -70,7 +70,7 @@ TEST(FittedSetups, KnownLoadsTellTheGainAndTheUnknownOneIsFound) {
                                      recorded(*model, "found", 1.2, 3)};
   FitSection options;
   options.starts = 1;
-  const FitResult result = fit({definition, *model, trials, options, 1, 2});
+  const FitResult result = fit({definition, *model, trials, options, 1, {2}});
   const std::vector<double> truth = {kGain, kDamping, 1.2};
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_NEAR(result.values[i].value, truth[i], 0.02 * truth[i]) << result.values[i].address;
@@ -87,7 +87,7 @@ TEST(FittedSetups, AValueOfNoTrialCannotBeTold) {
   const std::vector<Trial> trials = {recorded(*model, "light", 1.2, 1), recorded(*model, "heavy", 1.2, 2)};
   FitSection options;
   options.starts = 1;
-  const FitResult result = fit({definition, *model, trials, options, 1, 2});
+  const FitResult result = fit({definition, *model, trials, options, 1, {2}});
   EXPECT_FALSE(result.values[2].identified);
   EXPECT_TRUE(result.values[0].identified);
 }

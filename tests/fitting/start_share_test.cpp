@@ -23,7 +23,7 @@ StartShare share_of_starts(const OneJointModel& model, const std::vector<Trial>&
   double found = 0.0, stated = 0.0;
   for (const Trial& recording : recordings) {
     const std::vector<Trial> one = {recording};
-    const TrialComparison trial = compare({definition, model, one, noise, {0.5}, nullptr, {}, 1, 2}).trials[0];
+    const TrialComparison trial = compare({definition, model, one, noise, {0.5}, nullptr, {}, 1, {2}}).trials[0];
     const Eigen::Index scored = trial.predicted.rows() - trial.first_scored;
     found += (trial.predicted - exact.measured.samples).bottomRows(scored).squaredNorm() / static_cast<double>(scored);
     stated += trial.channels[0].from_start * trial.channels[0].from_start;

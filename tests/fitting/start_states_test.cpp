@@ -24,7 +24,7 @@ Trial falling(double noise, Eigen::Index samples = 401) {
 struct Fixture {
   explicit Fixture(Trial trial, const RobotSpec& robot = one_joint_robot())
       : model(fall),
-        predictor(model, {std::move(trial)}, 1),
+        predictor(model, {std::move(trial)}, {1}),
         noise({{"angle", "rad", 1e-3, ""}}),
         states(robot, predictor, noise) {}
   OneJointModel model;
@@ -83,7 +83,7 @@ TEST(StartStates, KnowsWhatCannotBeReconstructed) {
 TEST(StartStates, ModelsWithAMemoryOfTheirOwnStartAtTheBeginningOnly) {
   const auto obstacle = [](const RobotSpec& robot) {
     const std::unique_ptr<CompiledModel> model = compile({robot, {}, {}}, {});
-    const TrialPredictor predictor(*model, {falling(0.0)}, 1);
+    const TrialPredictor predictor(*model, {falling(0.0)}, {1});
     return StartStates(robot, predictor, {{"angle", "rad", 1e-3, ""}}).obstacle(0);
   };
   RobotSpec robot = one_joint_robot();
@@ -122,7 +122,7 @@ Eigen::Index first_scored_of(const Trial& trial, double delay) {
   RobotSpec robot = one_joint_robot();
   robot.actuators[0].delay = delay;
   const std::unique_ptr<CompiledModel> model = compile({robot, {}, {}}, {});
-  const TrialPredictor predictor(*model, {trial}, 1);
+  const TrialPredictor predictor(*model, {trial}, {1});
   const StartStates states(robot, predictor, {{"angle", "rad", 1e-3, ""}});
   return first_scored(predictor, predictor.whole(0), fit_head(predictor, states, predictor.whole(0), {}, 0));
 }

@@ -18,7 +18,7 @@ using namespace lacuna::flywheel;
 
 double change(const ModelDefinition& definition, const Trial& trial, int substeps) {
   const std::unique_ptr<CompiledModel> own = compiled(definition, substeps), fine = compiled(definition, 400);
-  const TrialPredictor predictor(*own, {trial}, 1), exact(*fine, {trial}, 1);
+  const TrialPredictor predictor(*own, {trial}, {1}), exact(*fine, {trial}, {1});
   Prediction a, b;
   predictor.predict(predictor.whole(0), {}, {{kStart}, {0.0}}, 0, a);
   exact.predict(exact.whole(0), {}, {{kStart}, {0.0}}, 0, b);
@@ -29,7 +29,7 @@ TEST(Substeps, AreAsFewAsKeepTheErrorSmallBesideTheNoise) {
   for (const double frequency : {2.0, 12.0, 40.0}) {
     const ModelDefinition definition = sprung(frequency);
     const Trial trial = recorded(definition);
-    const Substeps found = sufficient_substeps(definition, {trial}, {}, 1);
+    const Substeps found = sufficient_substeps(definition, {trial}, {}, {1});
     EXPECT_TRUE(found.enough) << frequency;
     EXPECT_NEAR(change(definition, trial, found.count), found.share * kDeviation, 0.2 * found.share * kDeviation)
         << frequency;
@@ -43,7 +43,7 @@ TEST(Substeps, AreAsFewAsKeepTheErrorSmallBesideTheNoise) {
 TEST(Substeps, AreMoreForAStifferSpring) {
   const auto count = [](double frequency) {
     const ModelDefinition definition = sprung(frequency);
-    return sufficient_substeps(definition, {recorded(definition)}, {}, 2).count;
+    return sufficient_substeps(definition, {recorded(definition)}, {}, {2}).count;
   };
   EXPECT_EQ(count(1.0), 1);
   EXPECT_GT(count(40.0), count(12.0));
@@ -53,7 +53,7 @@ TEST(Substeps, KeepTheBiasOfAFittedValueSmallBesideItsInterval) {
   const ModelDefinition definition = with_free_spring(6.0);
   const std::vector<Trial> trials = {recorded(sprung(6.0))};
   const std::vector<double> start = {definition.free[0].start};
-  const Substeps found = sufficient_substeps(definition, trials, start, 1);
+  const Substeps found = sufficient_substeps(definition, trials, start, {1});
   EXPECT_TRUE(found.enough);
   EXPECT_EQ(found.shift.address, "joint.joint.stiffness");
   EXPECT_LE(found.shift.share, 0.1);
@@ -67,22 +67,22 @@ TEST(Substeps, KeepTheBiasOfAFittedValueSmallBesideItsInterval) {
 TEST(Substeps, AreTheSameForAnyNumberOfThreads) {
   const ModelDefinition definition = sprung(25.0);
   const std::vector<Trial> trials = {recorded(definition), recorded(definition), recorded(definition)};
-  const Substeps one = sufficient_substeps(definition, trials, {}, 1),
-                 many = sufficient_substeps(definition, trials, {}, 3);
+  const Substeps one = sufficient_substeps(definition, trials, {}, {1}),
+                 many = sufficient_substeps(definition, trials, {}, {3});
   EXPECT_EQ(one.count, many.count);
   EXPECT_EQ(one.share, many.share);
 }
 
 TEST(Substeps, AreOneOfAnEngineWhoseContactsDependOnThem) {
   const ModelDefinition definition = sprung(40.0, "ode");
-  EXPECT_EQ(sufficient_substeps(definition, {recorded(definition)}, {}, 1).count, 1);
+  EXPECT_EQ(sufficient_substeps(definition, {recorded(definition)}, {}, {1}).count, 1);
 }
 
 TEST(Substeps, AreOneOfAModelThatCannotBeSimulated) {
   ModelDefinition definition = sprung(2.0);
   Trial trial = recorded(definition);
   definition.structure.robot.joints[0].force = 1e12;
-  const Substeps found = sufficient_substeps(definition, {trial}, {}, 1);
+  const Substeps found = sufficient_substeps(definition, {trial}, {}, {1});
   EXPECT_EQ(found.count, 1);
   EXPECT_FALSE(found.enough);
   EXPECT_TRUE(std::isinf(found.share));

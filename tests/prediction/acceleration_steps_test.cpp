@@ -19,7 +19,7 @@ EngineSettings engine_of_the_readings() {
 FreeValue damping() { return analytic::free_value("b", 0.0, 0.0, 1000.0); }
 
 PredictionFit fit_steps(const OneJointRig& rig, const AccelerationSteps& steps, double from, int most) {
-  const TrialPredictor predictor(rig.model, steps.trials, 1);
+  const TrialPredictor predictor(rig.model, steps.trials, {1});
   LadderPredictions predictions(steps.ladder, predictor, rig.space, rig.starts);
   return descend(predictions, predictions.at_smoothed_starts(rig.at({from})), most);
 }

@@ -49,7 +49,7 @@ TEST(LadderOf, ReadsHeldOutTrialsOrTheOthers) {
   const SpringRig rig({2.0, 2.0});
   std::vector<Trial> trials = rig.trials;
   trials[1].held_out = true;
-  const TrialPredictor predictor(rig.model, trials, 1);
+  const TrialPredictor predictor(rig.model, trials, {1});
   const StartStates states(rig.definition.structure.robot, predictor, rig.noise);
   const SmoothedStarts starts(states, predictor.trials());
   LadderSource source{rig.definition.structure.robot, predictor, states, starts, rig.noise};

@@ -26,7 +26,7 @@ class OneJointRig {
         model(acceleration),
         trials(recordings(robot_acceleration ? robot_acceleration : acceleration, truth, durations)),
         noise(sensor_noise(definition.structure.robot, trials)),
-        predictor(model, trials, threads),
+        predictor(model, trials, {threads}),
         states(definition.structure.robot, predictor, noise),
         starts(states, predictor.trials()),
         space(definition.free) {}

@@ -41,7 +41,7 @@ TEST(PredictionLengths, CountTheSamplesThatWereRead) {
   std::vector<Trial> trials = rig.trials;
   for (Eigen::Index i = 1; i < trials[0].measured.samples.rows(); i += 2)
     trials[0].measured.samples(i, 0) = std::nan("");
-  const TrialPredictor predictor(rig.model, trials, 1);
+  const TrialPredictor predictor(rig.model, trials, {1});
   const StartStates states(rig.definition.structure.robot, predictor, rig.noise);
   const SmoothedStarts starts(states, predictor.trials());
   const LadderSource source{rig.definition.structure.robot, predictor, states, starts, rig.noise};

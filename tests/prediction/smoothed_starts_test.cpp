@@ -61,7 +61,7 @@ TEST(SmoothedStarts, AreAsGivenAtTheFirstSample) {
   const OneJointRig rig = parabola();
   std::vector<Trial> trials = rig.trials;
   trials[0].initial = {{InitialKnowledge::given, 1.0, 2.0}};
-  const TrialPredictor predictor(rig.model, trials, 1);
+  const TrialPredictor predictor(rig.model, trials, {1});
   const StartStates states(rig.definition.structure.robot, predictor, rig.noise);
   const SmoothedStarts starts(states, predictor.trials());
   EXPECT_EQ(starts.at(0, 0).start.positions[0], 1.0);
@@ -78,7 +78,7 @@ TEST(SmoothedStarts, AreCoordinatesAndNotReadings) {
   robot.sensors[0].offset = 5.0;
   std::vector<Trial> trials = rig.trials;
   trials[0].measured.samples = (-2.0 * trials[0].measured.samples.array() + 5.0).matrix();
-  const TrialPredictor predictor(rig.model, trials, 1);
+  const TrialPredictor predictor(rig.model, trials, {1});
   const StartStates states(robot, predictor, rig.noise);
   const SmoothedStarts starts(states, predictor.trials());
   EXPECT_NEAR(starts.at(0, 200).start.positions[0], parabola_at(kPull, 2.0).positions[0], 5e-3);
@@ -89,7 +89,7 @@ TEST(SmoothedStarts, RefuseFewerThanFiveReadings) {
   const OneJointRig rig = parabola();
   std::vector<Trial> trials = rig.trials;
   trials[0].measured.samples.bottomRows(trials[0].measured.samples.rows() - 4).setConstant(std::nan(""));
-  const TrialPredictor predictor(rig.model, trials, 1);
+  const TrialPredictor predictor(rig.model, trials, {1});
   const StartStates states(rig.definition.structure.robot, predictor, rig.noise);
   EXPECT_THROW(SmoothedStarts(states, predictor.trials()), Error);
 }

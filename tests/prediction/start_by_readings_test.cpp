@@ -25,7 +25,7 @@ class ChangedSensor {
     change(robot.sensors[0]);
     definition.engine.step = 0.001;
     model_ = compile(definition.structure, definition.engine);
-    predictor_ = std::make_unique<TrialPredictor>(*model_, without_commands(rig_.trials), 1);
+    predictor_ = std::make_unique<TrialPredictor>(*model_, without_commands(rig_.trials), Work{1});
   }
 
   ChangedStart started(const StartState& start, const WarmUp* warm_up = nullptr) {

@@ -26,7 +26,7 @@ class ResidualLawTest : public testing::Test {
                            .trials = trials_,
                            .values = definition.start_values(),
                            .among = {"coulomb_friction"},
-                           .threads = 2});
+                           .work = {2}});
   }
 
   ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true, double seconds = 6.0) {

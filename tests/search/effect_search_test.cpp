@@ -33,7 +33,7 @@ class EffectSearchTest : public testing::Test {
                            .trials = trials,
                            .values = definition.start_values(),
                            .among = std::move(among),
-                           .threads = threads});
+                           .work = {threads}});
   }
 
   static std::vector<Trial> two_recordings(double friction) {

@@ -45,7 +45,7 @@ TEST_P(OddRigs, TellTheirDryFriction) {
                       .trials = GetParam().trials,
                       .values = definition.start_values(),
                       .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque"},
-                      .threads = 2});
+                      .work = {2}});
   EXPECT_EQ(found.sets[found.decision.answer].judged.members, std::set<std::string>{"coulomb_friction @ joint.hinge"});
 }
 

@@ -26,7 +26,7 @@ class QueryTest : public testing::Test {
   }
   std::string ask(const std::string& sql, QueryFormat format = QueryFormat::table) const {
     std::ostringstream text;
-    run_queries(Database::open_read_only(file_), sql, *make_query_output(format, text));
+    run_queries(Database::open_read_only(file_, when_interrupted()), sql, *make_query_output(format, text));
     return text.str();
   }
   std::string complaint(const std::string& sql) const {

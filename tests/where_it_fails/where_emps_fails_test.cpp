@@ -25,10 +25,10 @@ TEST(WhereItFails, EmpsFromItsMassAloneDependsOnVelocityAndDirectionOfMotion) {
   std::vector<Trial> trials =
       read_recording(experiment.target.recording, sensor_channels(robot), command_channels(robot)).trials;
   std::erase_if(trials, [](const Trial& trial) { return trial.held_out; });
-  const std::vector<double> values = fit({definition, *model, trials, experiment.fit, 1, 2}).parameters();
+  const std::vector<double> values = fit({definition, *model, trials, experiment.fit, 1, {2}}).parameters();
   const Comparison comparison =
-      compare({definition, *model, trials, experiment.noise, values, nullptr, {0.1, 0.5}, 1, 2});
-  const WhereItFails where = where_it_fails({definition, *model, trials, values, comparison, 2});
+      compare({definition, *model, trials, experiment.noise, values, nullptr, {0.1, 0.5}, 1, {2}});
+  const WhereItFails where = where_it_fails({definition, *model, trials, values, comparison, {2}});
   const auto found = std::find_if(where.findings.begin(), where.findings.end(), [](const Finding& finding) {
     return finding.kind == FindingKind::dependence && finding.view == ViewKind::acceleration;
   });

@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 WhereItFails asked(const Rig& rig, int threads = 1) {
-  return where_it_fails({rig.definition, *rig.model, rig.trials, {}, rig.comparison, threads});
+  return where_it_fails({rig.definition, *rig.model, rig.trials, {}, rig.comparison, {threads}});
 }
 
 const Finding* dependence(const WhereItFails& where, ViewKind view) {

@@ -19,7 +19,7 @@ ProgramSettings program_settings(const fs::path& program, int longest) {
   ProgramSettings settings;
   settings.lacuna = file;
   settings.longest = longest;
-  settings.stop = lacuna::interrupt_requested;
+  settings.stop = [stop = lacuna::when_interrupted()] { return stop.is_due(); };
   return settings;
 }
 

@@ -103,7 +103,7 @@ void run(const RunOptions& options) {
                         {work.path(), options.keep, !options.without_oracle, options.baselines, options.settle},
                         settings);
       },
-      lacuna::interrupt_requested, told);
+      [stop = lacuna::when_interrupted()] { return stop.is_due(); }, told);
   fmt::print(stderr, "{} cases run{}, {} were there before, {} left\n", progress.kept, failures_text(progress.failed),
              progress.before, progress.left);
   if (progress.stopped) throw lacuna::Interrupted("interrupted; run the same command again to go on");

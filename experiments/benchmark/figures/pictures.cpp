@@ -1,6 +1,7 @@
 #include "figures/pictures.h"
 
 #include "figures/matrix_picture.h"
+#include "foundation/processes/interrupt.h"
 #include "report/figures/figure.h"
 
 #include <fmt/format.h>
@@ -106,8 +107,8 @@ Matrix confusion(const Database& database, const FigureValues& all) {
 void draw_pictures(const Database& database, const FigureValues& all, const std::filesystem::path& folder) {
   const std::vector<Stated> stated = stated_of(all);
   if (!stated.empty()) {
-    lacuna::write_svg(reliability(all, stated), folder / "reliability.svg");
-    lacuna::write_svg(accuracy(all, stated), folder / "accuracy.svg");
+    lacuna::write_svg(reliability(all, stated), folder / "reliability.svg", lacuna::when_interrupted());
+    lacuna::write_svg(accuracy(all, stated), folder / "accuracy.svg", lacuna::when_interrupted());
   }
   write_matrix(confusion(database, all), folder / "confusion.svg");
 }

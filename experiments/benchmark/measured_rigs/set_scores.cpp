@@ -83,7 +83,7 @@ std::vector<double> held_out_costs(const std::filesystem::path& experiment,
   const OpenExperiment opened = open_experiment(options);
   EffectSearchTask task{opened.experiment, *opened.catalog, opened.trials, opened.definition.start_values()};
   task.among = effect_names(sets);
-  task.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  task.work.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   NamedSets fitted(task);
   std::vector<double> costs;
   for (const std::vector<std::string>& set : sets) costs.push_back(fitted.held_out_cost(set));

@@ -219,7 +219,7 @@ std::vector<AddOptions> asked_for(const AddOptions& options, const OpenExperimen
 Extension extension_of(const AddOptions& options) {
   const std::string text = read_text(options.experiment);
   OpenExperiment base = open_experiment(options);
-  settle_substeps(base, base.fit_trials(), options.threads);
+  settle_substeps(base, base.fit_trials(), options.work());
   std::string edited = text;
   std::vector<Addition> added;
   std::optional<OpenExperiment> extended;
@@ -297,7 +297,7 @@ void add_add_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->option_text("PARAMETER");
   add_work_options(*command, *options);
-  add_time_limit_option(*command);
+  add_time_limit_option(*command, *options);
   command->callback([options] { run_add(*options); });
 }
 

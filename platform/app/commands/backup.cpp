@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
 #include "app/terminal/progress_line.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
 #include "storage/integrity/backup.h"
 #include "storage/files/log_left.h"
@@ -25,7 +26,7 @@ void make_backup(const BackupOptions& options) {
   refuse_empty(options.database);
   const LogLeft log(options.database);
   ProgressLine line(options.quiet);
-  const std::uintmax_t bytes = back_up(options.database, options.to, [&](double part) {
+  const std::uintmax_t bytes = back_up(options.database, options.to, when_interrupted(), [&](double part) {
     line.show({.what = "copy of " + options.database.filename().string(), .fraction = part});
   });
   if (!options.quiet)

@@ -35,7 +35,7 @@ std::vector<Problem> obstacles(const CheckOptions& options, const OpenExperiment
   if (opened.count(false) == 0)
     problems.push_back({file, "every trial is held out; name at least one fit file under target.files"});
   try {
-    const TrialPredictor every_trial_suits_the_model(*opened.model, opened.trials, 1);
+    const TrialPredictor every_trial_suits_the_model(*opened.model, opened.trials, {1});
     disturbed_joints(opened.definition.structure.robot, opened.experiment.noise);
   } catch (const Error& error) {
     problems.push_back({file, error.what()});

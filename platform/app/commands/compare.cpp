@@ -3,7 +3,6 @@
 #include "app/terminal/output.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/experiment_workflow.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/shell_word.h"
 #include "report/figures/comparison_pictures.h"
@@ -38,7 +37,7 @@ void run_compare(const CompareOptions& options) {
   const ExperimentWorkflow::Compared compared =
       workflow.compare_model(fitted.result, !options.as_is, true, options.cross_check);
   const WhereItFails where = workflow.where_it_fails(fitted.result, compared.result);
-  lift_time_limit();  // what follows is quick
+  options.stop.lift_limit();  // what follows is quick
   // The database has no folders of this machine, so the command that it keeps names the file alone.
   const std::string diagnose = "lacuna diagnose " + shell_word(options.experiment.filename().string());
   workflow.recorder().keep_where_it_fails(compared.id,
@@ -67,8 +66,8 @@ void run_compare(const CompareOptions& options) {
     make_output_folder(options.out);
     const std::string title = fmt::format("{} · revision {}", heading.experiment, workflow.revision().number);
     FileNames names;
-    draw_comparison(compared.result, title, options.out, names);
-    draw_where(where, title, options.out, names);
+    draw_comparison(compared.result, title, options.out, names, options.stop);
+    draw_where(where, title, options.out, names, options.stop);
     write_predictions(compared.result, options.out, names);
     if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", plain_text(options.out.string()));
   }
@@ -82,7 +81,7 @@ void add_compare_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("compare", "Fit the model and compare it with every measured trial");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_time_limit_option(*command);
+  add_time_limit_option(*command, *options);
   command->add_flag("--as-is", options->as_is, "Do not fit; use the values that are written in the files");
   command->add_flag("--cross-check", options->cross_check,
                     "Also predict with the second physics engine (ode or articulated) and print the difference");

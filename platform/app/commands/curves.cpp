@@ -2,6 +2,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
@@ -105,7 +106,7 @@ std::vector<NamedRuns> read_runs(const CurvesOptions& options) {
   std::set<std::filesystem::path> seen;
   for (const std::filesystem::path& file : options.databases) {
     if (!seen.insert(std::filesystem::weakly_canonical(file)).second) continue;
-    Database database = Database::open_read_only(file);
+    Database database = Database::open_read_only(file, when_interrupted());
     add_runs(database, named);
   }
   for (const NamedRuns& runs : named) say_what_is_left_out(runs);
@@ -146,7 +147,7 @@ void curves(const CurvesOptions& options) {
   for (const auto& [name, figure] :
        {std::pair{"error_by_trials.svg", error_by_trials(all)}, std::pair{"error_by_steps.svg", error_by_steps(all)}}) {
     const std::filesystem::path file = file_for_picture(options.folder, name);
-    write_svg(figure, file);
+    write_svg(figure, file, when_interrupted());
     fmt::print("{}\n", file.string());
   }
 }

@@ -1,7 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/diagnosis_work.h"
-#include "foundation/processes/interrupt.h"
 
 #include <CLI/CLI.hpp>
 
@@ -15,7 +14,7 @@ void add_diagnose_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("diagnose", "Find the physical effect that the model is missing");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_time_limit_option(*command);
+  add_time_limit_option(*command, *options);
   command
       ->add_option("--among", options->among,
                    "Try only these effects (default: all). The name wrong_value stands for the fixed values of the "

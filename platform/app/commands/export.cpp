@@ -79,6 +79,7 @@ void export_of_database(const ExportOptions& options) {
   wanted.revision = options.revision;
   wanted.existing = options.existing();
   wanted.quiet = options.quiet;
+  wanted.stop = options.stop;
   if (!options.what.empty()) choose_format(options, wanted);
   export_rows(wanted);
 }

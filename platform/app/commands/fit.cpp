@@ -5,7 +5,6 @@
 #include "app/terminal/time_limit.h"
 #include "app/workspace/experiment_workflow.h"
 #include "foundation/text/counted.h"
-#include "foundation/processes/interrupt.h"
 #include "report/json/comparison_json.h"
 #include "report/text/comparison_text.h"
 
@@ -26,7 +25,7 @@ void run_fit(const CommonOptions& options) {
   check_output(options.json);
   ExperimentWorkflow workflow(options);
   const ExperimentWorkflow::Fitted fitted = workflow.fit_model(ExperimentWorkflow::AtTimeLimit::best_so_far);
-  lift_time_limit();  // what follows is quick
+  options.stop.lift_limit();  // what follows is quick
   if (!takes_standard_output(options.json)) {
     fmt::print("{} · revision {} · {} · {}\n", workflow.opened().experiment.name, workflow.revision().number,
                counted(workflow.opened().count(false), "fit trial"), time_of(fitted));
@@ -36,7 +35,7 @@ void run_fit(const CommonOptions& options) {
   }
   if (options.json) write_output(*options.json, fit_json(workflow.opened().experiment.name, fitted.result));
   if (fitted.result.stopped)
-    throw Interrupted(stopped_by_time_limit() +
+    throw Interrupted(options.stop.reason_of_limit() +
                       "; the best values so far are stored. Run the command again with more time");
   workflow.recorder().done();
 }
@@ -49,7 +48,7 @@ void add_fit_command(CLI::App& program) {
       program.add_subcommand("fit", "Fit the model's free values to the recordings that are not held out");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_time_limit_option(*command);
+  add_time_limit_option(*command, *options);
   command->callback([options] { run_fit(*options); });
 }
 

@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
 #include "storage/eea/eea_store.h"
@@ -23,7 +24,7 @@ struct HashOptions {
 
 void print_hashes(const HashOptions& options) {
   const LogLeft log(options.database);
-  const Database database = Database::open_read_only(options.database);
+  const Database database = Database::open_read_only(options.database, when_interrupted());
   std::vector<EeaRunListing> runs = eea_runs(database);
   if (options.run) std::erase_if(runs, [&](const EeaRunListing& run) { return run.run.value != *options.run; });
   if (runs.empty())

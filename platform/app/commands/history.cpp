@@ -49,7 +49,7 @@ std::string missing_of(const ResultStore& store, const std::optional<StoredRevis
 StoredHistory stored_history(const std::filesystem::path& file, const OpenExperiment& opened) {
   if (!std::filesystem::exists(file)) return {{}, 0, "nothing is stored yet"};
   const LogLeft log(file);
-  Database database = Database::open_read_only(file);
+  Database database = Database::open_read_only(file, opened.stop);
   const ResultStore store(database);
   const std::optional<ExperimentId> experiment = store.find_experiment(opened.experiment.name);
   if (!experiment) return {{}, 0, fmt::format("nothing of {} is stored yet", opened.experiment.name)};
@@ -64,7 +64,7 @@ void run_history(const HistoryOptions& options) {
   check_output(options.json, options.csv);
   check_output_folder(options.out);
   OpenExperiment opened = open_experiment(options);
-  settle_substeps(opened, opened.fit_trials(), options.threads);
+  settle_substeps(opened, opened.fit_trials(), options.work());
   const std::filesystem::path file = database_of(options, opened.experiment);
   const StoredHistory history = stored_history(file, opened);
   const std::vector<KnownSetup> setups = known_setups(opened.definition, opened.experiment.target.recording);
@@ -79,7 +79,7 @@ void run_history(const HistoryOptions& options) {
   if (options.csv) write_output(*options.csv, history_csv(history.rows));
   if (!options.out.empty() && !history.rows.empty()) {
     make_output_folder(options.out);
-    draw_history(history.rows, opened.experiment.name + " · error by revision", options.out);
+    draw_history(history.rows, opened.experiment.name + " · error by revision", options.out, options.stop);
   }
 }
 

@@ -44,22 +44,22 @@ bool has_reader() {
 }
 
 /// Calls that were sent before the client closed the standard input are answered while it reads.
-void finish_calls(McpServer& server) {
-  while (server.is_busy() && has_reader() && !interrupt_requested()) {
+void finish_calls(McpServer& server, const Stop& stop) {
+  while (server.is_busy() && has_reader() && !stop.is_due()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(kBusyWait));
     server.look();
   }
 }
 
-/// Until the client closes the standard input, or a signal asks the program to end.
-void serve_client(McpServer& server) {
+/// Until the client closes the standard input, or `stop` is due.
+void serve_client(McpServer& server, const Stop& stop) {
   MessageLines lines(STDIN_FILENO, kLongestMessage);
   std::string line;
-  while (!interrupt_requested()) {
+  while (!stop.is_due()) {
     switch (lines.next(line, server.is_busy() ? kBusyWait : kIdleWait)) {
       case MessageLines::Got::line: server.take(line); break;
       case MessageLines::Got::too_long: server.refuse_long_line(kLongestMessage); break;
-      case MessageLines::Got::end: return finish_calls(server);
+      case MessageLines::Got::end: return finish_calls(server, stop);
       case MessageLines::Got::nothing: break;
     }
     server.look();
@@ -72,7 +72,7 @@ void run_mcp(const McpOptions& options, const CLI::App& program) {
   const std::filesystem::path folder = std::filesystem::canonical(std::filesystem::current_path());
   McpServer server(tools_of(option_tree(program)),
                    {folder, std::filesystem::canonical(scratch.path()), options.call_limit}, write_message);
-  serve_client(server);
+  serve_client(server, when_interrupted());
 }
 
 }  // namespace

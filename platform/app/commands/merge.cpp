@@ -2,6 +2,7 @@
 #include "app/tasks/new_database.h"
 #include "app/terminal/options.h"
 #include "app/terminal/progress_line.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
@@ -73,7 +74,8 @@ std::string how_to_make_anew(const Source& source) {
 void leave_out_strangers(Sources& sources) {
   std::erase_if(sources.all, [&](const Source& source) {
     if (source.plan == nullptr) return false;
-    const auto fault = why_not_of_task(source.file, source.plan->task(source.task), TaskDatabase::shard);
+    const auto fault =
+        why_not_of_task(source.file, source.plan->task(source.task), TaskDatabase::shard, when_interrupted());
     if (fault)
       sources.missing += fmt::format("{}: {}{}\n", plain_text(source.file.string()), plain_text(fault->reason),
                                      fault->is_of_database ? how_to_make_anew(source) : "");
@@ -96,7 +98,7 @@ std::vector<MergedShard> merged(const MergeOptions& options, const Sources& sour
   std::vector<Shard> shards;
   for (const Source& source : sources.all)
     shards.push_back({source.file, source.plan == nullptr ? Unusable::refuses_all : Unusable::is_left_out});
-  Database database = Database::open(options.database);
+  Database database = Database::open(options.database, when_interrupted());
   ProgressLine line(options.quiet);
   return merge(database, shards, [&](double part) { line.show({.what = "merge", .fraction = part}); });
 }

@@ -10,6 +10,7 @@
 #include "evaluation/robots/joint_drives.h"
 #include "evaluation/recording_files.h"
 #include "evaluation/robots/robot_files.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/counted.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
@@ -94,7 +95,7 @@ class FormatPlugins {
 /// Reads the recordings as guessed. Their problems do not stop the draft; they are returned.
 std::string read_recordings(RigDraft& draft, const RecordingFormats* formats) {
   try {
-    draft.recording = read_recording(source_of(draft.guess, draft.files), robot_of(draft), formats);
+    draft.recording = read_recording(source_of(draft.guess, draft.files), robot_of(draft), formats, when_interrupted());
   } catch (const BadInput& error) {
     return error.what();
   }

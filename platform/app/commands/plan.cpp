@@ -25,7 +25,7 @@ void make_plan(PlanCommand options) {
   if (options.kind == TaskKind::diagnosis && options.replicates)
     throw_problem({}, "--replicates repeats runs, and a diagnosis is made once; leave it out");
   options.plugin_paths = options.common.plugin_paths;
-  const TaskFolder folder = TaskFolder::make(options.out, freeze_plan(options));
+  const TaskFolder folder = TaskFolder::make(options.out, freeze_plan(options), when_interrupted());
   const std::string typed = shell_word(options.out.string());
   fmt::print("{}: {}\n", plain_text(options.out.string()), counted(folder.plan().tasks.size(), "task"));
   if (const std::vector<std::size_t> open = folder.open_tasks(); !open.empty())

@@ -3,6 +3,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/workspace/newest_setting.h"
+#include "foundation/processes/interrupt.h"
 #include "report/figures/file_name.h"
 #include "report/figures/run_pictures.h"
 #include "storage/files/log_left.h"
@@ -44,7 +45,7 @@ std::vector<EeaRunListing> runs_to_draw(const Database& database, const PlotOpti
 
 void plot(const PlotOptions& options) {
   const LogLeft log(options.database);
-  Database database = Database::open_read_only(options.database);
+  Database database = Database::open_read_only(options.database, when_interrupted());
   const std::vector<EeaRunListing> listings = runs_to_draw(database, options);
   make_output_folder(options.folder);
   std::mutex unused;
@@ -56,7 +57,7 @@ void plot(const PlotOptions& options) {
   FileNames names;
   for (const NamedFigure& named : run_figures(runs, title)) {
     const std::filesystem::path file = file_for_picture(options.folder, names.next(named.name + ".svg"));
-    write_svg(named.figure, file);
+    write_svg(named.figure, file, when_interrupted());
     fmt::print("{}\n", file.string());
   }
 }

@@ -72,7 +72,7 @@ bool asks_a_run(const PredictOptions& options, const std::filesystem::path& data
   std::error_code ignored;
   if (!std::filesystem::exists(database, ignored)) return false;
   refuse_empty(database);
-  const std::vector<EeaRunListing> runs = eea_runs(Database::open_read_only(database));
+  const std::vector<EeaRunListing> runs = eea_runs(Database::open_read_only(database, options.stop));
   return std::any_of(runs.begin(), runs.end(),
                      [&](const EeaRunListing& run) { return run.experiment == experiment && run.passes_done > 0; });
 }
@@ -173,14 +173,14 @@ std::vector<std::string> unscored_channels(const EeaDefinition& definition) {
 }
 
 PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
-  const int threads = options.threads > 0 ? options.threads : default_threads();
+  const Work work = options.work();
   WantedTest wanted = wanted_test(run, options.asked);
   const PassEnsemble ensemble = run.ensembles.newest();
-  EnsemblePrediction prediction = predict_test(run.definition(), ensemble, wanted.test, wanted.times, threads,
+  EnsemblePrediction prediction = predict_test(run.definition(), ensemble, wanted.test, wanted.times, work,
                                                wanted.measured ? wanted.times.front() : 0.0);
   if (prediction.models == 0)
     throw Error(fmt::format("no model of the run can carry out the test: {}", prediction.lost.front().reason));
-  BandSupport support = support_of(run.ensembles.held_out(threads), options.seed.value_or(1));
+  BandSupport support = support_of(run.ensembles.held_out(work.threads), options.seed.value_or(1));
   widen(prediction.band, support);
   const std::optional<std::uint64_t> number = test_number(options.asked.test);
   return {.experiment = run.opened().experiment.name,
@@ -235,7 +235,7 @@ void write_report(const PredictOptions& options, const AskedRun& run, const Pred
   }
   if (options.json) write_output(*options.json, prediction_json(report));
   if (options.csv) write_output(*options.csv, prediction_csv(report.prediction));
-  if (options.picture) write_output(*options.picture, svg_of(prediction_figure(report)));
+  if (options.picture) write_output(*options.picture, svg_of(prediction_figure(report), options.stop));
 }
 
 /// A run's genomes mean what they meant when it was begun.
@@ -272,7 +272,7 @@ void predict_without_run(const PredictOptions& options, const std::filesystem::p
   }
   if (options.json) write_output(*options.json, model_prediction_json(prediction));
   if (options.csv) write_output(*options.csv, model_prediction_csv(prediction));
-  if (options.picture) write_output(*options.picture, svg_of(model_prediction_figure(prediction)));
+  if (options.picture) write_output(*options.picture, svg_of(model_prediction_figure(prediction), options.stop));
 }
 
 void predict(const PredictOptions& options) {
@@ -291,7 +291,7 @@ void predict(const PredictOptions& options) {
     throw_problem({},
                   "say which test to predict: --test \"triangle ACTUATOR ...\"; to simulate the fitted model on the "
                   "trials instead: --fitted");
-  Database database = Database::open_read_only(common.database);
+  Database database = Database::open_read_only(common.database, options.stop);
   const EeaRunListing listing = run_to_ask(database, options, experiment.name);
   const OpenStoredRun stored = open_stored(database, listing, common);
   if (!options.quiet)
@@ -302,7 +302,7 @@ void predict(const PredictOptions& options) {
   std::mutex unused;
   const EeaStore store(database, unused, listing.run, {});
   const std::vector<RunTrial> trials = run_trials(store, stored.opened->definition());
-  const StoredEnsembles ensembles(store, stored.opened->definition(), trials);
+  const StoredEnsembles ensembles(store, stored.opened->definition(), trials, options.stop);
   if (ensembles.empty())
     throw_problem(
         {database.file().string()},

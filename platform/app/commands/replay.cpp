@@ -4,6 +4,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "evaluation/prediction/test_predictor.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/csv_cell.h"
 #include "foundation/unit.h"
 #include "report/text/text_table.h"
@@ -79,7 +80,8 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
                                   fmt::join(model.numbers, ", ")));
   const ScoredTrial& scored = model.trials[static_cast<std::size_t>(found - model.numbers.begin())];
   const Eigen::VectorXd& times = scored.trial.measured.times;
-  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, 1, &model.definition.model);
+  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, {1, model.stop},
+                                &model.definition.model);
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;
@@ -90,7 +92,7 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
 void replay(const ReplayOptions& options) {
   check_output(options.csv);
   const LogLeft log(options.database);
-  Database database = Database::open_read_only(options.database);
+  Database database = Database::open_read_only(options.database, when_interrupted());
   const EeaRunListing run = choose_run(database, options.run);
   const OpenStoredRun stored = open_stored(database, run, options.plugin_paths);
   for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
@@ -100,7 +102,7 @@ void replay(const ReplayOptions& options) {
   if (!options.model && (passes.empty() || !passes.back().best_model))
     throw Error("the run has no finished pass; name a model: --model N");
   const std::uint64_t number = options.model ? *options.model : *passes.back().best_model;
-  const StoredModel model = stored_model(store, stored.opened->definition(), number);
+  const StoredModel model = stored_model(store, stored.opened->definition(), number, stored.opened->opened().stop);
   const ModelScore score = score_again(model);
   if (!takes_standard_output(options.csv)) {
     fmt::print("run {} · model {} · pass {}, generation {}\n", run.run.value, number, model.row.pass,

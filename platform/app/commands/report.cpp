@@ -2,6 +2,7 @@
 #include "app/runs/replays.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
@@ -45,13 +46,14 @@ void make_report(const ReportOptions& options) {
   check_output(options.out);
   refuse_empty(options.database);
   const LogLeft log(options.database);
-  const Database database = Database::open_read_only(options.database);
+  const Database database = Database::open_read_only(options.database, when_interrupted());
   check_stored_texts(database);
   PageDatabase pages;
   pages.copy(database, static_cast<std::size_t>(options.megabytes * kMegabyte));
   pages.add_about("database", options.database.filename().string());
   pages.add_about("lacuna", LACUNA_VERSION);
-  if (!options.no_robots) Replays(options.database, options.plugin_paths, pages).prepare_for_report(kReplayBytes);
+  if (!options.no_robots)
+    Replays(options.database, options.plugin_paths, pages, when_interrupted()).prepare_for_report(kReplayBytes);
   const std::string page = report_page(pages.bytes());
   write_output(options.out, page);
   if (!options.quiet && !options.out.empty())

@@ -98,7 +98,7 @@ void check_ended(const ReplicateEnd& end, const EeaRunListing& listing) {
 
 void reproduce(const ReproduceOptions& options) {
   const LogLeft log(options.database);
-  Database database = Database::open_read_only(options.database);
+  Database database = Database::open_read_only(options.database, when_interrupted());
   const EeaRunListing listing = run_to_repeat(database, options);
   const OpenStoredRun stored = open_stored(database, listing, options.plugin_paths,
                                            options.trust ? StoredProgram::trusted : StoredProgram::refused);
@@ -106,7 +106,7 @@ void reproduce(const ReproduceOptions& options) {
   for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
 
   const ScratchFolder scratch;
-  Database again = Database::open(scratch / "again.db");
+  Database again = Database::open(scratch / "again.db", when_interrupted());
   const Repetition repetition = repeat(stored, listing, again, options);
   check_ended(repetition.end, listing);
   const std::string was = content_hash(database, listing.run), is = content_hash(again, repetition.run);

@@ -18,7 +18,7 @@ void add_run_command(CLI::App& program) {
       "run", "Run the Estimation-Exploration Algorithm: evolve models of a target and tests for it");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_time_limit_option(*command);
+  add_time_limit_option(*command, *options);
   command->add_option("--replicates", options->replicates, "Number of replicates (default: the file's number)")
       ->option_text("N")
       ->check(whole_number(1, 1000000));

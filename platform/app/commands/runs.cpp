@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
+#include "foundation/processes/interrupt.h"
 #include "report/text/run_text.h"
 #include "storage/files/log_left.h"
 
@@ -21,7 +22,7 @@ struct RunsOptions {
 void list_runs(const RunsOptions& options) {
   check_output(options.json);
   const LogLeft log(options.database);
-  const Database database = Database::open_read_only(options.database);
+  const Database database = Database::open_read_only(options.database, when_interrupted());
   const std::vector<EeaRunListing> runs = eea_runs(database);
   if (!takes_standard_output(options.json)) std::fputs(runs_text(runs).c_str(), stdout);
   if (options.json) write_output(*options.json, runs_json(runs).dump(2) + "\n");

@@ -63,26 +63,29 @@ bool wait_for(const std::filesystem::path& database) {
   };
   if (!is_missing() || !std::filesystem::exists(folder)) return true;
   fmt::print(stderr, "waiting until `lacuna compare` or `lacuna run` makes {}; stop with Ctrl-C\n", database.string());
-  while (is_missing() && !interrupt_requested()) std::this_thread::sleep_for(kLook);
-  return !interrupt_requested();
+  const Stop stop = when_interrupted();
+  while (is_missing() && !stop.is_due()) std::this_thread::sleep_for(kLook);
+  return !stop.is_due();
 }
 
 void serve(const ServeOptions& options) {
   require_pages();
   if (!wait_for(options.database)) return;
   const LogLeft log(options.database);
-  check_stored_texts(Database::open_read_only(options.database));  // says what is wrong before anything else
+  const Stop stop = when_interrupted();
+  check_stored_texts(Database::open_read_only(options.database, stop));  // says what is wrong before anything else
   const ScratchFolder scratch;
   PageDatabase pages(scratch / "pages.db");
   pages.add_about("database", options.database.filename().string());
   pages.add_about("lacuna", LACUNA_VERSION);
-  Replays replays(options.database, options.plugin_paths, pages);
+  Replays replays(options.database, options.plugin_paths, pages, stop);
   PageServer server(
       {.database = options.database,
        .pages = scratch / "pages.db",
        .host = options.host,
        .port = options.port,
-       .prepare_replay = [&](std::int64_t run, std::int64_t trial) { return replays.prepare(run, trial); }});
+       .prepare_replay = [&](std::int64_t run, std::int64_t trial) { return replays.prepare(run, trial); },
+       .stop = stop});
   if (!is_loopback(options.host))
     std::fprintf(stderr,
                  "warning: anybody who can reach %s and knows this address with its token can read the whole database; "
@@ -97,7 +100,7 @@ void serve(const ServeOptions& options) {
     server.run();
     ended = true;
   });
-  while (!interrupt_requested() && !ended) std::this_thread::sleep_for(kLook);
+  while (!stop.is_due() && !ended) std::this_thread::sleep_for(kLook);
   server.stop();
   answering.join();
 }

@@ -3,6 +3,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/plain_streams.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/files/whole_file.h"
 #include "storage/files/log_left.h"
 #include "storage/queries/query.h"
@@ -38,14 +39,14 @@ void query(const SqlOptions& options) {
   check_output(options.json);
   note_database(options.database);
   const LogLeft log(options.database);
-  const Database database = Database::open_read_only(options.database);
+  const Database database = Database::open_read_only(options.database, when_interrupted());
   const bool to_file = options.json && !options.json->empty();
   const QueryFormat format = options.json ? QueryFormat::json : options.csv ? QueryFormat::csv : QueryFormat::table;
   const auto write_to = [&](std::ostream& stream) {
     run_queries(database, options.sql, *make_query_output(format, stream));
   };
   if (!to_file) return write_to(format == QueryFormat::table ? std::cout : exact_output());
-  WholeFile file(*options.json, Link::followed);
+  WholeFile file(*options.json, Link::followed, when_interrupted());
   write_to(file.stream());
   file.publish();
 }

@@ -93,7 +93,7 @@ void keep_failure(const TrialOptions& options, const OpenExperiment& opened, std
 
 /// The database is not held while the target works, which may take long.
 Trial carry_out(const TrialOptions& options, const OpenExperiment& opened, TrialTarget& target, const Test& test) {
-  Database database = Database::open(database_of(options, opened.experiment));
+  Database database = Database::open(database_of(options, opened.experiment), opened.stop);
   const std::uint64_t seed = options.seed.value_or(opened.experiment.seed);
   const std::int64_t number = next_number(database, opened);
   Trial trial;
@@ -194,8 +194,8 @@ void run_trial(const TrialOptions& options) {
     throw_problem(opened.experiment.where("target.kind"),
                   "the target is a program, and an agent may not start programs; carry out the test yourself: " +
                       command_to_type("trial", options) + " --test " + shell_word(options.asked.test));
-  const int replicate = last_replicate(database_of(options, opened.experiment), opened.experiment.name);
-  TrialTarget target(opened.experiment, opened.definition, *opened.catalog, replicate);
+  const int replicate = last_replicate(database_of(options, opened.experiment), opened.experiment.name, opened.stop);
+  TrialTarget target(opened.experiment, opened.definition, *opened.catalog, replicate, opened.stop);
   const RobotSpec& robot = target.robot() ? *target.robot() : opened.definition.structure.robot;
   const TestSpace space = test_space(robot, opened.experiment.engine, 0.0);
   if (const std::optional<double> asked = asked_duration(options.asked))

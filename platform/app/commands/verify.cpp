@@ -61,7 +61,7 @@ Verification verified(Database& database, const std::function<void(double)>& pro
 void verify_database(const VerifyOptions& options) {
   refuse_empty(options.database);
   const LogLeft log(options.database);
-  Database database = Database::open_read_only(options.database);
+  Database database = Database::open_read_only(options.database, when_interrupted());
   const Verification found = [&] {
     ProgressLine line(options.quiet);
     return verified(database, [&](double part) { line.show({.what = "hashes of runs", .fraction = part}); });

@@ -5,7 +5,8 @@
 #include "evaluation/model/complaints.h"
 #include "evaluation/model/hidden_truth.h"
 #include "foundation/address.h"
-#include "foundation/processes/interrupt.h"
+#include "foundation/parallel.h"
+#include "foundation/processes/stop.h"
 
 #include <lacuna/random_stream.h>
 
@@ -81,9 +82,9 @@ bool takes_tests(const OpenExperiment& opened) {
 }
 
 /// What the model does in tests as the exploration begins with. Of those that it cannot carry out there are none.
-std::vector<Trial> imagined_trials(const EeaDefinition& definition) {
+std::vector<Trial> imagined_trials(const EeaDefinition& definition, const Stop& stop) {
   RandomStream random(std::array<std::uint64_t, 1>{kImagined});
-  TargetSimulator simulator(definition.model, definition.model.start_values(), kImagined);
+  TargetSimulator simulator(definition.model, definition.model.start_values(), kImagined, stop);
   std::vector<Trial> trials;
   for (std::uint64_t i = 0; i < kImaginedTrials; ++i) try {
       simulator.begin_trial(i);
@@ -103,9 +104,10 @@ OpenExperiment with_substeps(OpenExperiment opened) {
   const std::vector<Trial> trials =
       needs_none ? std::vector<Trial>()
       : takes_tests(opened)
-          ? imagined_trials(EeaDefinition(opened.experiment, *opened.catalog, opened.definition, true))
+          ? imagined_trials(EeaDefinition(opened.experiment, *opened.catalog, opened.definition, true), opened.stop)
           : opened.fit_trials();
-  settle_substeps(opened, trials, 0, takes_tests(opened) ? TrialsFor::motion : TrialsFor::fit);
+  settle_substeps(opened, trials, {default_threads(), opened.stop},
+                  takes_tests(opened) ? TrialsFor::motion : TrialsFor::fit);
   return opened;
 }
 
@@ -139,7 +141,8 @@ std::vector<double> OpenEeaRun::truth(int replicate) const {
 
 std::optional<Hello> ask_target(const OpenEeaRun& opened) {
   const Experiment& experiment = opened.opened().experiment;
-  const std::unique_ptr<ProcessTarget> program = outside_target(experiment, opened.opened().definition, 1);
+  const std::unique_ptr<ProcessTarget> program =
+      outside_target(experiment, opened.opened().definition, 1, opened.opened().stop);
   if (!program) return std::nullopt;
   const Hello hello = program->hello();
   const EeaDefinition& definition = opened.definition();
@@ -159,8 +162,9 @@ ReplicateTarget::ReplicateTarget(const OpenEeaRun& opened, std::uint64_t seed, i
   const Experiment& experiment = opened.opened().experiment;
   const std::uint64_t noise = RandomStream(std::array{seed, static_cast<std::uint64_t>(replicate)})();
   if (opened.target())
-    simulator_ = std::make_unique<TargetSimulator>(*opened.target(), opened.hidden_values(replicate), noise);
-  program_ = outside_target(experiment, opened.opened().definition, noise, std::move(notes));
+    simulator_ = std::make_unique<TargetSimulator>(*opened.target(), opened.hidden_values(replicate), noise,
+                                                   opened.opened().stop);
+  program_ = outside_target(experiment, opened.opened().definition, noise, opened.opened().stop, std::move(notes));
   if (!program_) return;
   repeats_ = experiment.target.process.repeats;
   pause_ = experiment.target.process.pause;

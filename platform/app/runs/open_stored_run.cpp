@@ -92,6 +92,7 @@ OpenStoredRun open_stored(const Database& database, const EeaRunListing& run,
                           const std::vector<std::filesystem::path>& plugin_paths, StoredProgram program) {
   CommonOptions options;
   options.plugin_paths = plugin_paths;
+  options.stop = database.stop();
   return open_stored(database, run, std::move(options), program);
 }
 

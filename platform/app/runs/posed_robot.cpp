@@ -30,8 +30,8 @@ ModelStructure watched(ModelStructure structure) {
 
 }  // namespace
 
-PosedRobot::PosedRobot(const ModelStructure& structure, const EngineSettings& engine)
-    : model_(compile(watched(structure), engine)) {
+PosedRobot::PosedRobot(const ModelStructure& structure, const EngineSettings& engine, const Stop& stop)
+    : model_(compile(watched(structure), engine)), stop_(stop) {
   for (const BodySpec& body : structure.robot.bodies) {
     for (const char* part : {".x", ".y", ".z"}) poses_.push_back({body.name + part, "m"});
     for (const char* part : {".qw", ".qx", ".qy", ".qz"}) poses_.push_back({body.name + part, "1"});
@@ -42,6 +42,7 @@ PosedRobot::PosedRobot(const ModelStructure& structure, const EngineSettings& en
 PosedRobot::Motion PosedRobot::move(std::span<const double> values, const Test& test,
                                     const std::vector<double>& times) const {
   SimulationOptions options;
+  options.stop = stop_;
   options.end_time = times.back();
   options.output_times = times;
   options.start = test.start;

@@ -13,7 +13,7 @@ namespace lacuna {
 /// A robot whose bodies are watched while it carries tests out: a model's own with an onlooker at each body.
 class PosedRobot {
  public:
-  PosedRobot(const ModelStructure& structure, const EngineSettings& engine);
+  PosedRobot(const ModelStructure& structure, const EngineSettings& engine, const Stop& stop = {});
 
   struct Motion {
     TimeSeries poses;     ///< channels as `ReplayRecord` says
@@ -26,6 +26,7 @@ class PosedRobot {
  private:
   std::vector<Channel> poses_, contacts_;
   std::unique_ptr<CompiledModel> model_;
+  Stop stop_;
 };
 
 }  // namespace lacuna

@@ -2,7 +2,7 @@
 
 #include "app/runs/posed_robot.h"
 #include "evaluation/model/proposed_model.h"
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "storage/core/canonical_text.h"
 #include "storage/core/without_folders.h"
 
@@ -51,8 +51,9 @@ std::string in_a_note(const std::string& fault) { return without_folders(fault.s
 
 }  // namespace
 
-Replays::Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages)
-    : database_(std::move(database)), plugin_paths_(std::move(plugin_paths)), pages_(pages) {}
+Replays::Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages,
+                 const Stop& stop)
+    : database_(std::move(database)), plugin_paths_(std::move(plugin_paths)), stop_(stop), pages_(pages) {}
 
 const OpenStoredRun& Replays::bench_of(const Database& database, const EeaRunListing& run) {
   const auto known = benches_.find(run.identity);
@@ -68,7 +69,8 @@ Replays::Subject Replays::subject_of(Database& database, const EeaRunListing& ru
   const auto best = std::find_if(passes.rbegin(), passes.rend(), [](const PassRow& pass) { return pass.best_model; });
   if (best == passes.rend()) throw Error(fmt::format("run {} has no finished pass", run.run.value));
   const EeaDefinition& definition = stored.opened->definition();
-  return {stored, run, best->number, stored_model(store, definition, *best->best_model), run_trials(store, definition)};
+  return {stored, run, best->number, stored_model(store, definition, *best->best_model, stop_),
+          run_trials(store, definition)};
 }
 
 ScoredTrial Replays::trial_of(const Subject& subject, std::int64_t trial) {
@@ -82,7 +84,7 @@ ScoredTrial Replays::trial_of(const Subject& subject, std::int64_t trial) {
 
 std::int64_t Replays::prepare(std::int64_t run, std::int64_t trial) {
   const std::lock_guard lock(working_);
-  Database database = Database::open_read_only(database_);
+  Database database = Database::open_read_only(database_, stop_);
   return find_or_simulate(subject_of(database, choose_run(database, run)), trial);
 }
 
@@ -109,8 +111,8 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
                       .model = static_cast<std::int64_t>(model.number),
                       .robot = canonical_text(structure.robot),
                       .traces = {}};
-  PosedRobot::Motion motion =
-      PosedRobot(structure, definition.engine).move(structure_values(model.model, definition), scored.test, times);
+  PosedRobot::Motion motion = PosedRobot(structure, definition.engine, stop_)
+                                  .move(structure_values(model.model, definition), scored.test, times);
   add_motion(replay, "model", motion, stride);
   replay.traces.emplace_back("predicted", std::move(motion.readings));
   replay.traces.emplace_back("measured", scored.trial.measured);
@@ -118,7 +120,8 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
     // The commands that it received, so that noise in its sensors moves it as it did then.
     const Test received{scored.trial.commands, scored.test.duration, scored.test.start};
     const std::vector<double> hidden = opened.hidden_values(subject.run.replicate);
-    add_motion(replay, "target", PosedRobot(target->structure, target->engine).move(hidden, received, times), stride);
+    add_motion(replay, "target", PosedRobot(target->structure, target->engine, stop_).move(hidden, received, times),
+               stride);
     replay.target_robot = canonical_text(target->structure.robot);
   }
   return replay;
@@ -131,7 +134,7 @@ std::size_t Replays::prepare_run(const Subject& subject, std::size_t most_trials
   std::size_t made = 0;
   std::string fault;
   for (const std::int64_t trial : trials) {
-    throw_if_interrupted();
+    stop_.throw_if_due();
     if (made == most_trials || pages_.size() > most_bytes) break;
     try {
       find_or_simulate(subject, trial);
@@ -148,7 +151,7 @@ std::size_t Replays::prepare_run(const Subject& subject, std::size_t most_trials
 
 void Replays::prepare_for_report(std::size_t most_bytes) {
   const std::lock_guard lock(working_);
-  Database database = Database::open_read_only(database_);
+  Database database = Database::open_read_only(database_, stop_);
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::reverse(runs.begin(), runs.end());
   most_bytes += pages_.size();

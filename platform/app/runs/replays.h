@@ -19,7 +19,8 @@ namespace lacuna {
 class Replays {
  public:
   /// `pages` must live as long.
-  Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages);
+  Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages,
+          const Stop& stop = {});
 
   /// Trial `trial` of a run, by the best model of the last pass that has ended, unless that is there: also a trial that
   /// the model was not fitted to, as the last one, which tells how well it predicts. Returns its key in the pages.
@@ -48,6 +49,7 @@ class Replays {
 
   std::filesystem::path database_;
   std::vector<std::filesystem::path> plugin_paths_;
+  const Stop stop_;
   PageDatabase& pages_;
   std::mutex working_;
   std::map<std::string, OpenStoredRun> benches_;  ///< by the identities of runs

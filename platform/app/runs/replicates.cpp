@@ -2,7 +2,6 @@
 
 #include "app/runs/claim_beats.h"
 #include "app/runs/store_journal.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "foundation/processes/process_limits.h"
 #include "isolation/remote_evaluations.h"
@@ -115,8 +114,9 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
   const PlannedReplicate& planned = end.planned;
   EeaStore store(database_, writing_, planned.run, experiment_);
   try {
-    end.began = !interrupt_requested();
-    throw_if_interrupted();
+    const Stop& stop = opened_.opened().stop;
+    end.began = !stop.is_due();
+    stop.throw_if_due();
     EeaState state = state_of(store);
     ShownJournal journal(store, display, index);
     const ReplicateTarget target(opened_, planned.seed, planned.replicate,
@@ -127,7 +127,7 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
               .journal = journal,
               .seed = planned.seed,
               .replicate = planned.replicate,
-              .threads = threads,
+              .work = {threads, stop},
               .truth = opened_.truth(planned.replicate),
               .target = opened_.target() ? &opened_.target()->structure.robot : nullptr,
               .progress = [&](const EeaProgress& progress) { display.show(index, progress); },

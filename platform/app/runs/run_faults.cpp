@@ -1,7 +1,7 @@
 #include "app/runs/run_faults.h"
 
 #include "app/runs/store_journal.h"
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "storage/core/statement.h"
 #include "storage/eea/eea_store.h"
 #include "storage/results/carried_out.h"
@@ -30,8 +30,8 @@ void read_whole_run(Database& database, const EeaRunListing& listing) {
 
 /// What a question that reads stored things says against them.
 template <class Question>
-std::optional<std::string> fault_in(const std::string& what, const Question& question) try {
-  throw_if_asked_to_stop();
+std::optional<std::string> fault_in(const std::string& what, const Stop& stop, const Question& question) try {
+  stop.throw_if_requested();
   question();
   return std::nullopt;
 } catch (const Interrupted&) {
@@ -62,9 +62,11 @@ std::vector<std::string> faults_of_runs(Database& database) {
     if (fault) faults.push_back(std::move(*fault));
   };
   for (const EeaRunListing& listing : eea_runs(database))
-    note(fault_in(fmt::format("run {}", listing.run.value), [&] { read_whole_run(database, listing); }));
+    note(fault_in(fmt::format("run {}", listing.run.value), database.stop(),
+                  [&] { read_whole_run(database, listing); }));
   for (const CarriedOut& one : all_carried_out(database))
-    note(fault_in("trials of " + one.experiment, [&] { carried_out_trials(database, one.experiment, one.target); }));
+    note(fault_in("trials of " + one.experiment, database.stop(),
+                  [&] { carried_out_trials(database, one.experiment, one.target); }));
   return faults;
 }
 

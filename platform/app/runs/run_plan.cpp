@@ -4,7 +4,6 @@
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
 #include "config/result_setting.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
@@ -83,7 +82,7 @@ RunClaim claim_by(Clock::time_point deadline, Database& database, RunId run, con
   for (;;) {
     RunClaim claim(database, run, silent);
     if (claim.held() || Clock::now() >= deadline) return claim;
-    pause_for(kBetween);
+    database.stop().pause_for(kBetween);
   }
 }
 
@@ -169,14 +168,14 @@ RunPlan begin_runs(const RunOptions& options, const OpenEeaRun& opened, Database
   const Experiment& file = opened.opened().experiment;
   RunPlan plan;
   const std::uint64_t seed = options.seed.value_or(file.seed);
-  plan.threads = options.threads > 0 ? options.threads : default_threads();
+  plan.threads = options.work().threads;
   const std::vector<PluginFileRecord> plugins = plugins_of_run(file, *opened.opened().catalog);
   Transaction transaction(database);
   ResultStore store(database);
   const int first = options.only_replicate.value_or(1);
   const int last = options.only_replicate.value_or(options.replicates.value_or(file.replicates));
   for (int replicate = first; replicate <= last; ++replicate) {
-    throw_if_kept_waiting();
+    options.stop.throw_if_kept_waiting();
     const RunId run = store.begin_run({command_line(), seed, plan.threads, options.task}, provenance_of_this_program());
     store.record_plugins(plugins);
     store.record_robot_files(robot_files_of(file));
@@ -193,7 +192,7 @@ RunPlan begin_runs(const RunOptions& options, const OpenEeaRun& opened, Database
 RunPlan unfinished_runs(const RunOptions& options, const OpenEeaRun& opened, Database& database) {
   check_accepted(options, opened);
   RunPlan plan;
-  plan.threads = options.threads > 0 ? options.threads : default_threads();
+  plan.threads = options.work().threads;
   const std::string& name = opened.opened().experiment.name;
   const std::vector<EeaRunListing> runs = runs_of(database, name);
   bool unfinished = false;

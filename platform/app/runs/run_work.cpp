@@ -7,7 +7,6 @@
 #include "app/terminal/time_limit.h"
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/plugins/plugin_fault.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
@@ -72,7 +71,7 @@ void check_kept(const std::vector<ReplicateEnd>& ends, Database& database) try {
 }
 
 /// Throws where a replicate did not reach its end. `command` goes on.
-void judge(const std::vector<ReplicateEnd>& ends, const std::string& command) {
+void judge(const std::vector<ReplicateEnd>& ends, const std::string& command, const Stop& stop) {
   const std::string failures = failures_of(ends);
   const bool interrupted = std::any_of(ends.begin(), ends.end(),
                                        [](const ReplicateEnd& end) { return end.ending == RunEnding::interrupted; });
@@ -81,7 +80,7 @@ void judge(const std::vector<ReplicateEnd>& ends, const std::string& command) {
   const std::string again = command + " continues from here";
   if (!failures.empty()) throw Error(failures + "nothing is lost; correct the cause, then " + again);
   if (interrupted)
-    throw Interrupted((time_limit_was_reached() ? stopped_by_time_limit() : "interrupted") + "; " + again);
+    throw Interrupted((stop.limit_was_reached() ? stop.reason_of_limit() : "interrupted") + "; " + again);
 }
 
 /// What the command line lacks to go on: with the next build of a plugin that ended the run, too.
@@ -144,7 +143,7 @@ void carry_out_run(const RunOptions& options) {
   opened.opened().tell_doubts();
   const std::filesystem::path file = database_of(options, opened.opened().experiment);
   ask_target(opened);  // what does not fit is said before a run begins
-  Database database = Database::open(file);
+  Database database = Database::open(file, options.stop);
   const bool goes_on = options.resume && has_run(database, opened);
   RunPlan plan = goes_on ? unfinished_runs(options, opened, database) : begin_runs(options, opened, database);
   if (options.resume && !goes_on && !options.quiet)
@@ -168,13 +167,13 @@ void carry_out_run(const RunOptions& options) {
     ends = Replicates(opened, database, plan.experiment, workers.get()).run(plan.replicates, plan.threads, display);
   }
   RunClaim::release(plan.claims);
-  lift_time_limit();  // what follows is quick
+  options.stop.lift_limit();  // what follows is quick
   check_kept(ends, database);
   if (!takes_standard_output(options.json)) {
     print_ends(ends, plan.experiment, database);
     if (options.task.empty()) print_next(ends, database);
   }
-  judge(ends, command_line() + options_to_go_on(ends, options, opened));
+  judge(ends, command_line() + options_to_go_on(ends, options, opened), options.stop);
   lines.throw_if_failed();
 }
 

@@ -1,6 +1,5 @@
 #include "app/runs/stored_ensembles.h"
 
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -34,8 +33,8 @@ ScoredTrial all_that_counted(const EeaDefinition& definition, const RunTrial& st
 }  // namespace
 
 StoredEnsembles::StoredEnsembles(const EeaStore& store, const EeaDefinition& definition,
-                                 const std::vector<RunTrial>& trials)
-    : definition_(definition), trials_(trials) {
+                                 const std::vector<RunTrial>& trials, const Stop& stop)
+    : definition_(definition), trials_(trials), stop_(stop) {
   for (PassRow& row : store.passes()) {
     Pass pass{std::move(row), {}};
     pass.ensemble.pass = pass.row.number;
@@ -61,7 +60,7 @@ PassEnsemble StoredEnsembles::with_noise(const Pass& pass) const {
     if (counts(trial, pass.row)) fitted.push_back(all_that_counted(definition_, trial, pass.row.number));
   PassEnsemble ensemble = pass.ensemble;
   std::uint64_t steps = 0;
-  ensemble.noise = noise_of_readings(definition_, ensemble.models.front(), fitted, steps);
+  ensemble.noise = noise_of_readings(definition_, ensemble.models.front(), fitted, steps, stop_);
   return ensemble;
 }
 
@@ -73,9 +72,9 @@ std::vector<HeldOutTrial> StoredEnsembles::held_out(int threads) const {
         pairs.emplace_back(&pass, &trial);
   std::vector<HeldOutTrial> held_out(pairs.size());
   parallel_for(pairs.size(), threads, [&](std::size_t i, int) {
-    throw_if_interrupted();
+    stop_.throw_if_due();
     const auto& [pass, trial] = pairs[i];
-    held_out[i] = held_against(definition_, with_noise(*pass), trial->row.number, as_foretold(*trial));
+    held_out[i] = held_against(definition_, with_noise(*pass), trial->row.number, as_foretold(*trial), stop_);
   });
   return held_out;
 }

@@ -11,7 +11,8 @@ namespace lacuna {
 class StoredEnsembles {
  public:
   /// Definition and trials must outlive it.
-  StoredEnsembles(const EeaStore& store, const EeaDefinition& definition, const std::vector<RunTrial>& trials);
+  StoredEnsembles(const EeaStore& store, const EeaDefinition& definition, const std::vector<RunTrial>& trials,
+                  const Stop& stop = {});
 
   /// Empty: of a run whose models were not kept, for an older version made it.
   bool empty() const { return passes_.empty() || passes_.back().row.ensemble.empty(); }
@@ -19,7 +20,8 @@ class StoredEnsembles {
   PassEnsemble newest() const { return with_noise(passes_.back()); }
   /// Whether the newest models were fitted to the trial.
   bool fitted(const RunTrial& trial) const { return counts(trial, passes_.back().row); }
-  /// Each trial that was carried out after a pass, as that pass's models predict it. Does not depend on `threads`.
+  /// Each trial that was carried out after a pass, as that pass's models predict it. Does not depend on
+  /// `threads`.
   std::vector<HeldOutTrial> held_out(int threads) const;
 
  private:
@@ -33,6 +35,7 @@ class StoredEnsembles {
   const EeaDefinition& definition_;
   const std::vector<RunTrial>& trials_;
   std::vector<Pass> passes_;
+  Stop stop_;
 };
 
 }  // namespace lacuna

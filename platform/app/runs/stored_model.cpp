@@ -30,13 +30,14 @@ std::vector<double> without_gaps(std::vector<double> scores) {
 
 }  // namespace
 
-StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
+StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number,
+                         const Stop& stop) {
   const std::optional<ModelRow> row = store.model(number);
   if (!row)
     throw_problem({}, fmt::format("--model {}: the run has no such model; models are numbered from 0, and lacuna runs "
                                   "lists how many there are",
                                   number));
-  StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
+  StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}, stop};
   std::vector<ScoredTrial> observed;
   const std::vector<int> set_aside = set_aside_in(store, row->pass);
   for (RunTrial& stored : run_trials(store, definition)) {
@@ -47,12 +48,12 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
     observed.push_back(definition.observed(std::move(stored.drive), std::move(stored.trial)));
     model.numbers.push_back(trial);
   }
-  if (!definition.profiled.empty()) Delays(definition, std::move(observed)).find(model.model);
+  if (!definition.profiled.empty()) Delays(definition, std::move(observed), stop).find(model.model);
   return model;
 }
 
 ModelScore score_again(const StoredModel& model) {
-  const ModelScorer scorer(*model.definition.compiled, model.trials, model.definition.metric, 1,
+  const ModelScorer scorer(*model.definition.compiled, model.trials, model.definition.metric, {1, model.stop},
                            &model.definition.model, model.definition.profiled);
   ModelScore score;
   scorer.score(model.model, std::nullopt, 0, score);

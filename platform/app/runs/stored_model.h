@@ -17,10 +17,12 @@ struct StoredModel {
   ModelProposal model;
   std::vector<ScoredTrial> trials;
   std::vector<int> numbers;  ///< of the trials
+  Stop stop = {};            ///< of the work that simulates it
 };
 
 /// Throws `BadInput` where the run has no such model. `definition` must live as long.
-StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number);
+StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number,
+                         const Stop& stop = {});
 
 /// Simulates it on all its trials, to their ends.
 ModelScore score_again(const StoredModel& model);

@@ -48,7 +48,7 @@ std::unique_ptr<WorkerPool> worker_pool(const RunOptions& options, const OpenEea
   task.evaluation_limit = CallPage::evaluation_limit();
   task.memory = usable_memory() / static_cast<std::uint64_t>(threads);
   task.files = digests_of(opened);
-  return std::make_unique<WorkerPool>(std::move(task));
+  return std::make_unique<WorkerPool>(std::move(task), options.stop);
 }
 
 OpenEeaRun open_worker_run(const WorkerTask& task) {
@@ -57,6 +57,7 @@ OpenEeaRun open_worker_run(const WorkerTask& task) {
   options.overrides = task.overrides;
   options.decided = task.decided;
   options.plugin_paths = task.plugin_paths;
+  options.stop = {};  // the host ends its workers
   OpenEeaRun opened(open_experiment_without_trials(options, task.text));
   if (digests_of(opened) != task.files)
     throw Error("a plugin or a robot file has changed since the run began; restore it, or begin another run");

@@ -31,14 +31,14 @@ Options options_of(const TaskPlan& plan, const Task& task, const std::filesystem
   return options;
 }
 
-struct Work {
+struct TaskWork {
   const TaskFolder& folder;
   std::size_t number;
   int threads;
   bool quiet;
 };
 
-void do_work(const Work& work, const std::filesystem::path& database, bool goes_on) {
+void do_work(const TaskWork& work, const std::filesystem::path& database, bool goes_on) {
   const TaskPlan& plan = work.folder.plan();
   const Task& task = work.folder.task(work.number);
   if (task.kind == TaskKind::run) {
@@ -64,7 +64,7 @@ void check_inputs(const TaskFolder& folder, const Task& task) {
 }
 
 /// What cannot be moved to the plan stays where it is. `before`: what else went wrong.
-void hand_in(const Work& work, ScratchFolder& scratch, const std::string& before,
+void hand_in(const TaskWork& work, ScratchFolder& scratch, const std::string& before,
              const std::function<void()>& move) try {
   move();
 } catch (const std::exception& lost) {
@@ -75,9 +75,10 @@ void hand_in(const Work& work, ScratchFolder& scratch, const std::string& before
 
 /// Whether there is a checkpoint to go on from, which becomes the task's database. One that cannot be used is kept, and
 /// the task begins anew.
-bool take_checkpoint(const Work& work, const std::filesystem::path& database) {
+bool take_checkpoint(const TaskWork& work, const std::filesystem::path& database) {
   if (!work.folder.take_checkpoint(work.number, database)) return false;
-  const auto fault = why_not_of_task(database, work.folder.task(work.number), TaskDatabase::checkpoint);
+  const auto fault =
+      why_not_of_task(database, work.folder.task(work.number), TaskDatabase::checkpoint, when_interrupted());
   if (!fault) return true;
   std::filesystem::remove(database);
   fmt::print(stderr, "{}: {}; it is kept as {}, and the task starts again\n",
@@ -86,7 +87,7 @@ bool take_checkpoint(const Work& work, const std::filesystem::path& database) {
   return false;
 }
 
-void carry_out(const Work& work) {
+void carry_out(const TaskWork& work) {
   check_inputs(work.folder, work.folder.task(work.number));
   ScratchFolder scratch;
   const std::filesystem::path database = scratch / "shard.db";

@@ -1,5 +1,6 @@
 #include "app/tasks/new_database.h"
 
+#include "foundation/processes/interrupt.h"
 #include "storage/core/statement.h"
 #include "storage/files/log_left.h"
 
@@ -8,7 +9,7 @@ namespace {
 
 bool has_runs(const std::filesystem::path& file) {
   const LogLeft log(file);
-  const Database database = Database::open_read_only(file);
+  const Database database = Database::open_read_only(file, when_interrupted());
   return Statement(database, "SELECT 1 FROM run").step();
 }
 

@@ -42,7 +42,7 @@ void check_options(const RunOptions& options, const SlurmOptions& slurm) {
       {options.threads > 0, "--threads", kBySbatch},
       {options.isolate.has_value(), "--isolate and --no-isolate", "each task chooses by its plugins"},
       {options.resume, "--resume", "repeat the same command to submit unfinished tasks"},
-      {has_time_limit(), "--time-limit", kBySbatch}};
+      {options.time_limit != nullptr, "--time-limit", kBySbatch}};
   ProblemList problems;
   for (const Given& option : given)
     if (option.is_given)
@@ -56,7 +56,7 @@ void check_options(const RunOptions& options, const SlurmOptions& slurm) {
 /// The merging job may run days later without anybody watching its output.
 void check_database(const std::filesystem::path& file) {
   const NewDatabase nothing_yet(file);
-  Database::open(file);
+  Database::open(file, when_interrupted());
 }
 
 /// Where all tasks are done, their merge is all that is left.
@@ -94,7 +94,7 @@ void submit_run(const RunOptions& options, const SlurmOptions& slurm) {
   const std::filesystem::path database =
       std::filesystem::absolute(options.database.empty() ? name + ".db" : options.database.string());
   check_database(database);
-  const TaskFolder folder = TaskFolder::make(std::filesystem::absolute(name + ".plan"), plan);
+  const TaskFolder folder = TaskFolder::make(std::filesystem::absolute(name + ".plan"), plan, options.stop);
   const std::size_t open = folder.open_tasks().size();
   if (open == 0) return say_finished(folder, database);
   const SlurmJobs jobs = submit_to_slurm(folder, std::filesystem::read_symlink(kThisProgram), slurm.sbatch, database);

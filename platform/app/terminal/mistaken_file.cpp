@@ -25,7 +25,7 @@ constexpr std::string_view kMagic = "SQLite format 3";
 
 /// The experiment file that the newest run was made from; empty where that is not known, or not there.
 std::string experiment_of(const fs::path& file) try {
-  const Database database = Database::open_read_only(file);
+  const Database database = Database::open_read_only(file, when_interrupted());
   Statement newest(database, "SELECT file FROM experiment_text ORDER BY id DESC LIMIT 1");
   const std::string experiment = newest.step() ? newest.text(0) : "";
   return why_no_regular_file(experiment).empty() ? experiment : "";

@@ -5,6 +5,7 @@
 #include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
 #include "foundation/files/allowed_files.h"
+#include "foundation/parallel.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
 #include "foundation/files/whole_file.h"
@@ -12,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <tuple>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -115,6 +117,10 @@ void add_work_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "Seed (default: the file's)")->option_text("N")->check(whole_number(0));
   add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
   command.add_flag("--quiet", options.quiet, "Print results only");
+}
+
+Work CommonOptions::work(ProgressCallback progress) const {
+  return {threads > 0 ? threads : default_threads(), stop, std::move(progress)};
 }
 
 std::string options_to_type(const CommonOptions& options) {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "foundation/processes/interrupt.h"
+#include "foundation/work.h"
+
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +28,12 @@ struct CommonOptions {
   std::optional<std::string> json;  ///< --json[=FILE]; "" is standard output
   bool quiet = false;
   std::string task;  ///< of a plan, that the command carries out: its digest; empty: none
+  /// --time-limit; null: none. Shared: copies of the options are of the same work.
+  std::shared_ptr<TimeLimit> time_limit = {};
+  Stop stop = when_interrupted();  ///< what ends the work early: an interrupt of this process, and the time limit
+
+  /// The work of the command on its threads. It reports to `progress`.
+  Work work(ProgressCallback progress = {}) const;
 };
 
 /// The settings, plugin folders and database of these options, to be typed behind another command; each with a space

@@ -1,6 +1,7 @@
 #include "app/terminal/output.h"
 
 #include "app/terminal/plain_streams.h"
+#include "foundation/processes/interrupt.h"
 #include "foundation/text/problem.h"
 
 #include <fmt/format.h>
@@ -63,7 +64,7 @@ void check_file(const fs::path& file) {
   if (fs::is_directory(file, ignored)) refuse(file, "is a folder; name a file for the results");
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) refuse(file, "cannot be written: there is no folder " + folder.string());
-  if (const auto why = why_not_writable(file)) refuse(file, "cannot be written: " + *why);
+  if (const auto why = why_not_writable(file, when_interrupted())) refuse(file, "cannot be written: " + *why);
 }
 
 /// The folder itself, or else the one in which it, or what it lies in, would be made.
@@ -93,7 +94,7 @@ void write_output(const std::string& to, const std::string& text, Existing exist
     return;
   }
   refuse_input(to);
-  write_whole(to, text, Link::followed, existing);
+  write_whole(to, text, Link::followed, existing, when_interrupted());
 }
 
 bool takes_standard_output(const std::optional<std::string>& option) { return option && option->empty(); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/numerics/progress.h"
+#include "foundation/work.h"
 
 #include <chrono>
 #include <string>

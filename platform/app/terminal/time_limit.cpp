@@ -1,7 +1,6 @@
 #include "app/terminal/time_limit.h"
 
 #include "config/toml/quantity.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/plugins/plugin_call.h"
 #include "foundation/text/problem.h"
 #include "foundation/text/shell_word.h"
@@ -10,13 +9,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 
 namespace lacuna {
 namespace {
 
 constexpr double kEvaluationLimit = 120.0;  // s; evaluations take milliseconds, seconds where recordings are long
-
-bool time_limit_given = false;
 
 std::string how_to_write(const std::string& option) {
   return fmt::format("write seconds, or a number with its unit: {} 300, {} '5 min'", option, option);
@@ -44,21 +42,19 @@ double parse_duration(const std::string& option, const std::string& text) {
   return quantity.value_in_si;
 }
 
-void add_time_limit_option(CLI::App& command) {
+void add_time_limit_option(CLI::App& command, CommonOptions& options) {
   command
       .add_option_function<std::string>(
           "--time-limit",
-          [](const std::string& text) {
-            time_limit_given = true;
+          [&options](const std::string& text) {
             const double seconds = parse_duration("--time-limit", text);
             const bool has_unit = text.find_first_not_of("0123456789.+e ") != std::string::npos;
-            begin_time_limit(seconds, has_unit ? shell_word(text) : text + " s");
+            options.time_limit = std::make_shared<TimeLimit>(seconds, has_unit ? shell_word(text) : text + " s");
+            options.stop = options.stop.within(*options.time_limit);
           },
           "Stop after this time and keep the results so far (exit code 75): 300, \"5 min\"")
       ->option_text("DURATION");
 }
-
-bool has_time_limit() { return time_limit_given; }
 
 void begin_evaluation_limit() { CallPage::limit_evaluations(kEvaluationLimit); }
 

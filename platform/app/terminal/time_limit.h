@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/terminal/options.h"
+
 #include <string>
 
 namespace CLI {
@@ -12,10 +14,8 @@ namespace lacuna {
 /// above 0.
 double parse_duration(const std::string& option, const std::string& text);
 
-/// Adds --time-limit, which counts from when it is read.
-void add_time_limit_option(CLI::App& command);
-/// Whether one was given.
-bool has_time_limit();
+/// Adds --time-limit, which counts from when it is read. The options must live as long as the command.
+void add_time_limit_option(CLI::App& command, CommonOptions& options);
 
 /// From now on an evaluation takes two minutes at most, unless --evaluation-limit says otherwise.
 void begin_evaluation_limit();

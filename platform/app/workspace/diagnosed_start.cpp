@@ -15,7 +15,7 @@ template <class Answer, class Question>
 Answer asked(const CommonOptions& options, const OpenExperiment& base, const Question& question) {
   const std::filesystem::path file = database_of(options, base.experiment);
   if (!std::filesystem::exists(file)) return {};
-  Database database = Database::open_read_only(file);
+  Database database = Database::open_read_only(file, options.stop);
   const ResultStore store(database);
   const std::optional<ExperimentId> experiment = store.find_experiment(base.experiment.name);
   if (!experiment) return {};

@@ -9,7 +9,6 @@
 #include "candidates/effect_filter.h"
 #include "documents/diagnosis_json.h"
 #include "foundation/text/counted.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/plugins/plugin_call.h"
 #include "report/figures/diagnosis_pictures.h"
 #include "report/text/diagnosis_text.h"
@@ -35,8 +34,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, ExperimentWorkflow& wor
                                .trials = opened.trials,
                                .among = options.among,
                                .seed = options.seed.value_or(opened.experiment.seed),
-                               .threads = workflow.threads(),
-                               .progress = line.callback(),
+                               .work = workflow.work(line.callback()),
                                .known = before ? &*before : nullptr,
                                .keep = [&](const KeptFits& fits) {
                                  workflow.recorder().keep_unfinished(workflow.revision(), opened, options.among, fits);
@@ -53,7 +51,7 @@ Found find_diagnosis(const DiagnoseOptions& options, ExperimentWorkflow& workflo
   if (const auto known = workflow.recorder().known_diagnosis(workflow.revision(), opened, options.among))
     return {read_diagnosis(*known), true};
   Diagnosis made = make_diagnosis(options, workflow);
-  lift_time_limit();  // what follows is quick
+  options.stop.lift_limit();  // what follows is quick
   if (made.stopped)
     workflow.recorder().keep_stopped(workflow.revision(), opened, options.among, made);
   else
@@ -76,7 +74,7 @@ void carry_out_diagnosis(DiagnoseOptions options) {
   ExperimentWorkflow workflow(options);
   options.among = check_effect_filter(options.among, workflow.opened().experiment, *workflow.opened().catalog,
                                       workflow.opened().definition);
-  CallPage::allow_new_beginning(options.among.empty() && !has_time_limit());  // without a candidate that ends it
+  CallPage::allow_new_beginning(options.among.empty() && !options.time_limit);  // without a candidate that ends it
   const auto [diagnosis, known] = find_diagnosis(options, workflow);
   CallPage::allow_new_beginning(false);
   if (!takes_standard_output(options.json) && options.task.empty())  // what a task found is read from its plan
@@ -89,10 +87,10 @@ void carry_out_diagnosis(DiagnoseOptions options) {
     make_output_folder(options.out);
     const std::string title =
         fmt::format("{} · revision {}", workflow.opened().experiment.name, workflow.revision().number);
-    draw_diagnosis(diagnosis, title, options.out);
+    draw_diagnosis(diagnosis, title, options.out, options.stop);
     if (!options.quiet) fmt::print(stderr, "pictures are in {}\n", options.out.string());
   }
-  if (diagnosis.stopped) throw TimeIsUp(stopped_by_time_limit() + ". " + diagnosis.stopped->next);
+  if (diagnosis.stopped) throw TimeIsUp(options.stop.reason_of_limit() + ". " + diagnosis.stopped->next);
   workflow.recorder().done();
 }
 

@@ -3,8 +3,6 @@
 #include "app/terminal/progress_line.h"
 #include "app/workspace/integration.h"
 #include "data_checks/data_checks.h"
-#include "foundation/processes/interrupt.h"
-#include "foundation/parallel.h"
 #include "prediction/reading_noise.h"
 
 #include <fmt/format.h>
@@ -24,9 +22,8 @@ ExperimentWorkflow::ExperimentWorkflow(const CommonOptions& options, OpenExperim
     : options_(options),
       opened_(std::move(opened)),
       seed_(options.seed.value_or(opened_.experiment.seed)),
-      threads_(options.threads > 0 ? options.threads : default_threads()),
-      integration_(settle_substeps(opened_, opened_.fit_trials(), threads_)),
-      recorder_(options, opened_, seed_, threads_) {
+      integration_(settle_substeps(opened_, opened_.fit_trials(), work())),
+      recorder_(options, opened_, seed_, work().threads) {
   if (entry == Entry::at_once) revision_ = recorder_.enter(opened_);
 }
 
@@ -41,8 +38,7 @@ ExperimentWorkflow::Fitted ExperimentWorkflow::fit_model(AtTimeLimit wanted) {
                           .trials = opened_.trials,
                           .options = opened_.experiment.fit,
                           .seed = seed_,
-                          .threads = threads_,
-                          .progress = line.callback(),
+                          .work = work(line.callback()),
                           .best_at_time_limit = wanted == AtTimeLimit::best_so_far});
   if (revision_) recorder_.keep(*revision_, opened_, result);
   return {std::move(result), false};
@@ -63,11 +59,10 @@ ExperimentWorkflow::Compared ExperimentWorkflow::compare_model(const FitResult& 
                       .values = fit.parameters(),
                       .finer = finer.get(),
                       .seed = seed_,
-                      .threads = threads_,
-                      .progress = line.callback(),
+                      .work = work(line.callback()),
                       .cross_check = cross_check,
                       .sensors = noise_of_readings(opened_.definition.structure.robot,
-                                                   TrialPredictor(*opened_.model, opened_.trials, 1))};
+                                                   TrialPredictor(*opened_.model, opened_.trials, {1, options_.stop}))};
   Compared compared{compare(task), look, {}};
   if (revision_) compared.id = keep(trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt);
   return compared;
@@ -95,7 +90,7 @@ void ExperimentWorkflow::enter(const Fitted& fitted, const Comparison& compariso
 
 std::vector<DataWarning> ExperimentWorkflow::doubts(const FitResult& fit) const {
   const std::vector<double> values = fit.parameters();
-  return data_checks({opened_.definition, *opened_.model, opened_.trials, values});
+  return data_checks({opened_.definition, *opened_.model, opened_.trials, values, false, options_.stop});
 }
 
 WhereItFails ExperimentWorkflow::where_it_fails(const FitResult& fit, const Comparison& comparison) const {
@@ -104,7 +99,7 @@ WhereItFails ExperimentWorkflow::where_it_fails(const FitResult& fit, const Comp
                                  .trials = opened_.trials,
                                  .values = fit.parameters(),
                                  .comparison = comparison,
-                                 .threads = threads_});
+                                 .work = work()});
 }
 
 namespace {
@@ -136,7 +131,7 @@ RevisionErrors errors_with_edit(const CommonOptions& options, OpenExperiment ope
     ExperimentWorkflow workflow(options, std::move(opened), Entry::with_its_file);
     const ExperimentWorkflow::Fitted fitted = workflow.fit_model();
     const Comparison comparison = workflow.compare_model(fitted.result, true, false).result;
-    lift_time_limit();
+    options.stop.lift_limit();
     TextReplacement file(options.experiment, text, edited);
     workflow.enter(fitted, comparison, file);
     workflow.recorder().done();

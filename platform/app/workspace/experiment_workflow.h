@@ -59,7 +59,8 @@ class ExperimentWorkflow {
   /// Of a model that was entered.
   const StoredRevision& revision() const { return revision_.value(); }
   ResultRecorder& recorder() { return recorder_; }
-  int threads() const { return threads_; }
+  /// Of the command; reports to `progress`.
+  Work work(ProgressCallback progress = {}) const { return options_.work(std::move(progress)); }
 
  private:
   ComparisonId keep(const std::vector<Trial>& trials, const Comparison& comparison, bool refitted,
@@ -68,7 +69,6 @@ class ExperimentWorkflow {
   const CommonOptions& options_;
   OpenExperiment opened_;
   std::uint64_t seed_;
-  int threads_;
   std::string integration_;  ///< how the model is integrated, a sentence
   ResultRecorder recorder_;
   std::optional<StoredRevision> revision_;

@@ -27,11 +27,11 @@ constexpr std::size_t kMostTrialsNamed = 20;
 
 bool is_binary(RowFormat format) { return format == RowFormat::npz || format == RowFormat::mcap; }
 
-std::unique_ptr<QueryOutput> output_of(RowFormat format, std::ostream& stream) {
-  switch (format) {
+std::unique_ptr<QueryOutput> output_of(const RowsExport& wanted, std::ostream& stream) {
+  switch (wanted.format) {
     case RowFormat::json: return make_query_output(QueryFormat::json, stream);
     case RowFormat::json_lines: return make_query_output(QueryFormat::json_lines, stream);
-    case RowFormat::npz: return make_numpy_output(stream);
+    case RowFormat::npz: return make_numpy_output(stream, wanted.stop);
     case RowFormat::csv:
     case RowFormat::mcap: break;
   }
@@ -60,7 +60,7 @@ void write_to(const RowsExport& wanted, const std::function<void(std::ostream&)>
     write(exact_output());
     return;
   }
-  WholeFile file(wanted.to, Link::followed);
+  WholeFile file(wanted.to, Link::followed, wanted.stop);
   write(file.stream());
   wanted.existing == Existing::refused ? file.publish_as_new() : file.publish();
 }
@@ -77,7 +77,7 @@ void write_table(const Database& database, const RowsExport& wanted) {
                                            wanted.what));
   std::size_t rows = 0;
   write_to(wanted, [&](std::ostream& stream) {
-    CountedRows output(output_of(wanted.format, stream));
+    CountedRows output(output_of(wanted, stream));
     read_table(database, wanted.what, output);
     rows = output.count();
   });
@@ -94,8 +94,8 @@ std::string parts_text(const NamedTrace& trace) {
 
 void write_trace(const NamedTrace& trace, const RowsExport& wanted) {
   write_to(wanted, [&](std::ostream& stream) {
-    if (wanted.format == RowFormat::mcap) return write_mcap_trace(trace, stream);
-    write_trace_rows(trace, *output_of(wanted.format, stream));
+    if (wanted.format == RowFormat::mcap) return write_mcap_trace(trace, stream, wanted.stop);
+    write_trace_rows(trace, *output_of(wanted, stream), wanted.stop);
   });
   tell(wanted, fmt::format("{} of {}: {}", trace.trial, trace.experiment, parts_text(trace)));
   if (trace.parts.size() == 1 && trace.parts.front().label == "measured" && !wanted.quiet)
@@ -150,7 +150,7 @@ void export_rows(const RowsExport& wanted) {
   note_database(wanted.database);
   check_place(wanted);
   const LogLeft log(wanted.database);
-  const Database database = Database::open_read_only(wanted.database);
+  const Database database = Database::open_read_only(wanted.database, wanted.stop);
   const StoredTables tables = stored_tables(database);
   const auto has = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), wanted.what) != names.end();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "foundation/files/whole_file.h"
+#include "foundation/processes/stop.h"
 
 #include <filesystem>
 #include <optional>
@@ -22,6 +23,7 @@ struct RowsExport {
   std::string to;  ///< the file; empty: standard output
   Existing existing = Existing::refused;
   bool quiet = false;
+  Stop stop = {};
 };
 
 /// Writes it, row by row, into a file that is there whole or not at all. Throws `BadInput` where the database has

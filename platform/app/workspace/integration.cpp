@@ -2,7 +2,6 @@
 
 #include "config/decided.h"
 #include "fitting/substeps.h"
-#include "foundation/parallel.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -44,7 +43,7 @@ std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
 
 }  // namespace
 
-std::string settle_substeps(OpenExperiment& opened, const std::vector<Trial>& trials, int threads,
+std::string settle_substeps(OpenExperiment& opened, const std::vector<Trial>& trials, const Work& work,
                             TrialsFor trials_for) {
   EngineSettings& engine = opened.definition.engine;
   if (substeps_decided(opened.experiment)) return {};
@@ -56,8 +55,8 @@ std::string settle_substeps(OpenExperiment& opened, const std::vector<Trial>& tr
   if (trials.empty()) return {};
   const std::vector<double> values = opened.definition.start_values();
   if (engine.substeps > 0 && engine.substeps < kFarMore) return {};
-  const Substeps found = sufficient_substeps(
-      opened.definition, trials, values, threads > 0 ? threads : default_threads(), trials_for, opened.experiment.fit);
+  const Substeps found =
+      sufficient_substeps(opened.definition, trials, values, work, trials_for, opened.experiment.fit);
   if (opened.experiment.engine.substeps == 0) {
     decide_substeps(opened.experiment, found.count);
     engine.substeps = found.count;

@@ -47,7 +47,7 @@ void add_trials(ExperimentWorkflow& workflow, const FitResult& fit, const std::v
                                        .trials = trials,
                                        .noise = opened.experiment.noise,
                                        .values = fit.parameters(),
-                                       .threads = workflow.threads()});
+                                       .work = workflow.work()});
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const TrialComparison& one = compared.trials[i];
     if (one.valid) {
@@ -70,7 +70,7 @@ void add_test(const ExperimentWorkflow& workflow, const FitResult& fit, const As
   prediction.setup_is_asked = asked.setup.has_value();
   check_step_count(experiment, test.duration, "of the test");
   const std::vector<double> times = sample_times(experiment.engine, test.duration);
-  const TestPredictor predictor(*opened.model, times, 1, &opened.definition);
+  const TestPredictor predictor(*opened.model, times, {1, opened.stop}, &opened.definition);
   TestPrediction predicted;
   std::uint64_t steps = 0;
   std::string reason;

@@ -33,8 +33,9 @@ void note_inputs(const Experiment& experiment, const CommonOptions& options) {
 }
 
 /// With its plugins and its model.
-OpenExperiment define(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
+OpenExperiment define(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog, const Stop& stop) {
   OpenExperiment opened;
+  opened.stop = stop;
   opened.experiment = std::move(experiment);
   opened.catalog = std::move(catalog);
   for (RobotFileNote& note : read_robot_files(opened.experiment, *opened.catalog))
@@ -60,15 +61,15 @@ void check_target(const OpenExperiment& opened) {
   }
 }
 
-OpenExperiment assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
-  OpenExperiment opened = define(std::move(experiment), std::move(catalog));
+OpenExperiment assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog, const Stop& stop) {
+  OpenExperiment opened = define(std::move(experiment), std::move(catalog), stop);
   const std::string& target = opened.experiment.target.kind;
   check_target(opened);
   check_step_count(opened.experiment, {}, opened.catalog->make<TargetSystem>(target)->takes_tests());
   const PluginRecordingFormats formats(*opened.catalog);
   const RecordingReader reader(
       opened.experiment.target.recording, opened.definition.structure.robot,
-      [&opened](const ReadingNote& note) { opened.notes.push_back(note); }, &formats);
+      [&opened](const ReadingNote& note) { opened.notes.push_back(note); }, &formats, stop);
   opened.trials = guarded_call(opened.catalog->origin<TargetSystem>(target), "reading the recorded trials", [&] {
     return opened.catalog->make<TargetSystem>(target)->recorded({.trials = &reader});
   });
@@ -118,15 +119,15 @@ std::size_t add_single_trials(const Database& database, const std::string& targe
 
 /// The trials and the warnings that its database has for it.
 OpenExperiment with_database(OpenExperiment opened, const CommonOptions& options) {
-  if (auto note = shared_database_note(opened.experiment, database_of(options, opened.experiment)))
+  if (auto note = shared_database_note(opened.experiment, database_of(options, opened.experiment), options.stop))
     opened.notes.push_back(std::move(*note));
   const std::string& kind = opened.experiment.target.kind;
   if (!opened.catalog->make<TargetSystem>(kind)->takes_tests()) return opened;
   const std::filesystem::path file = database_of(options, opened.experiment);
   if (!std::filesystem::exists(file)) return opened;
-  Database database = Database::open_read_only(file);
+  Database database = Database::open_read_only(file, options.stop);
   const TrialTarget target(opened.experiment, opened.definition, *opened.catalog,
-                           last_replicate(file, opened.experiment.name));
+                           last_replicate(file, opened.experiment.name, options.stop), options.stop);
   std::size_t others = add_trials_of_run(database, opened);
   others += add_single_trials(database, target.digest(), opened);
   if (others > 0)
@@ -155,10 +156,10 @@ std::vector<std::filesystem::path> input_files(const Experiment& experiment) {
   return files;
 }
 
-int last_replicate(const std::filesystem::path& database, const std::string& experiment) {
+int last_replicate(const std::filesystem::path& database, const std::string& experiment, const Stop& stop) {
   int replicate = 1;
   if (!std::filesystem::exists(database)) return replicate;
-  for (const EeaRunListing& run : eea_runs(Database::open_read_only(database)))
+  for (const EeaRunListing& run : eea_runs(Database::open_read_only(database, stop)))
     if (run.experiment == experiment && run.passes_done > 0) replicate = run.replicate;
   return replicate;
 }
@@ -189,7 +190,7 @@ OpenExperiment open_experiment(const CommonOptions& options) {
   Experiment experiment = read_experiment(options.experiment, options.overrides);
   note_inputs(experiment, options);
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
-  return with_database(assemble(std::move(experiment), std::move(catalog)), options);
+  return with_database(assemble(std::move(experiment), std::move(catalog), options.stop), options);
 }
 
 OpenExperiment open_experiment(const CommonOptions& options, const std::string& text,
@@ -197,14 +198,15 @@ OpenExperiment open_experiment(const CommonOptions& options, const std::string& 
   Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
   decide_as(experiment, options.decided);
   note_inputs(experiment, options);
-  return with_database(assemble(std::move(experiment), std::move(catalog)), options);
+  return with_database(assemble(std::move(experiment), std::move(catalog), options.stop), options);
 }
 
 OpenExperiment open_experiment_without_trials(const CommonOptions& options, const std::string& text) {
   Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
   decide_as(experiment, options.decided);
   OpenExperiment opened =
-      define(std::move(experiment), std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths)));
+      define(std::move(experiment), std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths)),
+             options.stop);
   compile_model(opened);
   return opened;
 }

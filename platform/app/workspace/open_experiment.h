@@ -23,6 +23,7 @@ struct OpenExperiment {
   std::unique_ptr<CompiledModel> model;
   std::vector<Trial> trials;       ///< fit trials first
   std::vector<ReadingNote> notes;  ///< what was noticed while reading the measurements
+  Stop stop = {};                  ///< of the command that opened it
   std::string left_out;            ///< trials in the database that are another target's, a sentence; empty: none
 
   std::size_t count(bool held_out) const;
@@ -39,7 +40,7 @@ std::vector<std::filesystem::path> input_files(const Experiment& experiment);
 std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment);
 
 /// The replicate of the last run of the algorithm that the database has of an experiment; 1 without any.
-int last_replicate(const std::filesystem::path& database, const std::string& experiment);
+int last_replicate(const std::filesystem::path& database, const std::string& experiment, const Stop& stop);
 
 /// Throws `BadInput` with every problem of the experiment, its robot and its measurements. Trials of a target that
 /// takes tests are those that the database holds of the same target: of the last run of the algorithm, and those that

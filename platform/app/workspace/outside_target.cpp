@@ -25,7 +25,7 @@ std::vector<std::string> single_coordinates(const RobotSpec& robot) {
 }  // namespace
 
 std::unique_ptr<ProcessTarget> outside_target(const Experiment& experiment, const ModelDefinition& model,
-                                              std::uint64_t noise_seed, TargetNotes notes) {
+                                              std::uint64_t noise_seed, const Stop& stop, TargetNotes notes) {
   if (experiment.target.kind != "process") return nullptr;
   const RobotSpec& robot = model.structure.robot;
   return std::make_unique<ProcessTarget>(
@@ -34,7 +34,8 @@ std::unique_ptr<ProcessTarget> outside_target(const Experiment& experiment, cons
                            .space = test_space(robot, experiment.engine, experiment.test.duration),
                            .coordinates = single_coordinates(robot),
                            .noise_seed = noise_seed,
-                           .note = std::move(notes)});
+                           .note = std::move(notes),
+                           .stop = stop});
 }
 
 std::string target_summary(const Hello& hello) {

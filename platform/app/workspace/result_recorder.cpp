@@ -3,7 +3,6 @@
 #include "app/workspace/records.h"
 #include "app/workspace/used_plugins.h"
 #include "documents/kept_fits_json.h"
-#include "foundation/processes/interrupt.h"
 #include "storage/core/storage_error.h"
 
 #include <fmt/format.h>
@@ -15,15 +14,19 @@ namespace {
 
 constexpr const char* kStopped = " stopped by the time limit";  ///< behind the settings of what is not finished
 
-Database open_or_copy(const std::filesystem::path& file) {
-  return std::filesystem::exists(file) && !is_writable(file) ? Database::open_copy(file) : Database::open(file);
+Database open_or_copy(const std::filesystem::path& file, const Stop& stop) {
+  return std::filesystem::exists(file) && !is_writable(file) ? Database::open_copy(file, stop)
+                                                             : Database::open(file, stop);
 }
 
 }  // namespace
 
 ResultRecorder::ResultRecorder(const CommonOptions& options, const OpenExperiment& opened, std::uint64_t seed,
                                int threads)
-    : database_(open_or_copy(database_of(options, opened.experiment))), store_(database_), seed_(seed) {
+    : database_(open_or_copy(database_of(options, opened.experiment), options.stop)),
+      store_(database_),
+      seed_(seed),
+      stop_(options.stop) {
   Transaction transaction(database_);
   store_.begin_run({command_line(), seed, threads, options.task}, provenance_of_this_program());
   store_.record_plugins(plugins_of_model(opened.experiment, *opened.catalog));
@@ -34,7 +37,7 @@ ResultRecorder::ResultRecorder(const CommonOptions& options, const OpenExperimen
 }
 
 ResultRecorder::~ResultRecorder() {
-  if (done_ || (!interrupt_requested() && !time_limit_was_reached())) return;
+  if (done_ || (!stop_.is_due() && !stop_.limit_was_reached())) return;
   try {
     store_.end_run(RunEnding::interrupted);
   } catch (const std::exception&) {

@@ -78,6 +78,7 @@ class ResultRecorder {
   ResultStore store_;
   ExperimentId experiment_;
   std::uint64_t seed_;
+  Stop stop_;
   bool done_ = false;
 };
 

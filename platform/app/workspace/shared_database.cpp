@@ -20,18 +20,19 @@ bool is_another_of_that_name(const fs::path& file, const Experiment& experiment)
   return false;  // it can write into no database
 }
 
-std::vector<std::string> files_in(const fs::path& database, const std::string& experiment) try {
+std::vector<std::string> files_in(const fs::path& database, const std::string& experiment, const Stop& stop) try {
   std::error_code missing;
   if (!fs::is_regular_file(database, missing)) return {};
-  return files_of_experiment(Database::open_read_only(database), experiment);
+  return files_of_experiment(Database::open_read_only(database, stop), experiment);
 } catch (const Error&) {
   return {};  // whoever writes to it says why not
 }
 
 }  // namespace
 
-std::optional<ReadingNote> shared_database_note(const Experiment& experiment, const fs::path& database) {
-  for (const std::string& file : files_in(database, experiment.name))
+std::optional<ReadingNote> shared_database_note(const Experiment& experiment, const fs::path& database,
+                                                const Stop& stop) {
+  for (const std::string& file : files_in(database, experiment.name, stop))
     if (is_another_of_that_name(file, experiment))
       return ReadingNote{experiment.where("experiment.name"),
                          fmt::format("{} is also called \"{}\" and writes into the same database, {}: its revisions "

@@ -22,9 +22,10 @@ void notes_to_user(const std::string& note) { fmt::print(stderr, "{}\n", note); 
 }  // namespace
 
 TrialTarget::TrialTarget(const Experiment& experiment, const ModelDefinition& model, const PluginCatalog& catalog,
-                         int replicate)
+                         int replicate, const Stop& stop)
     : experiment_(experiment),
       model_(model),
+      stop_(stop),
       system_(catalog.make<TargetSystem>(experiment.target.kind)),
       origin_(catalog.origin<TargetSystem>(experiment.target.kind)) {
   std::string description = experiment.target.kind;
@@ -43,10 +44,10 @@ Trial TrialTarget::carry_out(const Test& test, std::uint64_t seed, std::uint64_t
   const std::uint64_t noise = RandomStream(std::array{kSingleTrials, seed})();
   std::unique_ptr<TargetSimulator> simulator;
   if (definition_) {
-    simulator = std::make_unique<TargetSimulator>(*definition_, hidden_, noise);
+    simulator = std::make_unique<TargetSimulator>(*definition_, hidden_, noise, stop_);
     simulator->begin_trial(number);
   }
-  const std::unique_ptr<ProcessTarget> program = outside_target(experiment_, model_, noise, notes_to_user);
+  const std::unique_ptr<ProcessTarget> program = outside_target(experiment_, model_, noise, stop_, notes_to_user);
   if (program) program->begin_trial(number);
   const CallAllowance lasts(test.duration);
   return guarded_call(origin_, "carrying a test out", [&] {

@@ -16,7 +16,8 @@ class TrialTarget {
  public:
   /// `model`: what an outside target is held against. `replicate`: whose hidden values a simulated target has (see
   /// `target.redraw`). Experiment, model and catalog must live as long. An outside target is not started yet.
-  TrialTarget(const Experiment& experiment, const ModelDefinition& model, const PluginCatalog& catalog, int replicate);
+  TrialTarget(const Experiment& experiment, const ModelDefinition& model, const PluginCatalog& catalog, int replicate,
+              const Stop& stop);
 
   bool takes_tests() const { return system_->takes_tests(); }
   /// The robot that a simulated target is; null for another one.
@@ -30,6 +31,7 @@ class TrialTarget {
  private:
   const Experiment& experiment_;
   const ModelDefinition& model_;
+  Stop stop_;
   std::unique_ptr<TargetSystem> system_;
   ComponentOrigin origin_;
   std::unique_ptr<ModelDefinition> definition_;

@@ -12,9 +12,9 @@ namespace lacuna {
 class Delays {
  public:
   /// `trials`: `EeaDefinition::observed`. The definition must outlive it.
-  Delays(const EeaDefinition& definition, std::vector<ScoredTrial> trials)
-      : scorer_(*definition.compiled, std::move(trials), definition.metric, 1, &definition.model, definition.profiled) {
-  }
+  Delays(const EeaDefinition& definition, std::vector<ScoredTrial> trials, const Stop& stop = {})
+      : scorer_(*definition.compiled, std::move(trials), definition.metric, {1, stop}, &definition.model,
+                definition.profiled) {}
 
   /// Writes the delays into the model's values and returns the number of steps. A model that cannot be simulated stays
   /// unchanged.

@@ -36,10 +36,10 @@ Test as_carried_out(const ScoredTrial& observed) {
 }
 
 EnsemblePrediction predict_test(const EeaDefinition& definition, const PassEnsemble& ensemble, const Test& test,
-                                const std::vector<double>& times, int threads, double start) {
+                                const std::vector<double>& times, const Work& work, double start) {
   const std::size_t count = ensemble.models.size();
-  const TestPredictor predictor(*definition.compiled, times, std::clamp(threads, 1, static_cast<int>(count)),
-                                &definition.model, 1, start);
+  const Work shared{std::clamp(work.threads, 1, static_cast<int>(count)), work.stop};
+  const TestPredictor predictor(*definition.compiled, times, shared, &definition.model, 1, start);
   std::vector<TestPrediction> predicted(count);
   std::vector<std::string> reasons(count);
   std::vector<std::uint8_t> carried_out(count);  // not bool: written by several threads
@@ -62,10 +62,10 @@ EnsemblePrediction predict_test(const EeaDefinition& definition, const PassEnsem
 }
 
 std::vector<double> noise_of_readings(const EeaDefinition& definition, const ModelProposal& best,
-                                      const std::vector<ScoredTrial>& fitted, std::uint64_t& steps) {
+                                      const std::vector<ScoredTrial>& fitted, std::uint64_t& steps, const Stop& stop) {
   ReadingNoise noise(definition.compiled->channels().size());
   for (const ScoredTrial& scored : fitted) {
-    const TestPredictor predictor(*definition.compiled, sampled_at(scored), 1, &definition.model, 1,
+    const TestPredictor predictor(*definition.compiled, sampled_at(scored), {1, stop}, &definition.model, 1,
                                   scored.trial.measured.times(0));
     TestPrediction predicted;
     std::string reason;
@@ -76,11 +76,11 @@ std::vector<double> noise_of_readings(const EeaDefinition& definition, const Mod
 }
 
 HeldOutTrial held_against(const EeaDefinition& definition, const PassEnsemble& ensemble, int number,
-                          const ScoredTrial& observed) {
+                          const ScoredTrial& observed, const Stop& stop) {
   const std::vector<Channel>& channels = definition.compiled->channels();
   HeldOutTrial held_out{number, ensemble.pass, std::vector<std::vector<double>>(channels.size())};
   const EnsemblePrediction prediction = predict_test(definition, ensemble, as_carried_out(observed),
-                                                     sampled_at(observed), 1, observed.trial.measured.times(0));
+                                                     sampled_at(observed), {1, stop}, observed.trial.measured.times(0));
   if (prediction.models > 0)
     held_out.ratios = band_ratios(prediction.band, observed.trial, match_channels(observed.trial, channels));
   return held_out;

@@ -2,6 +2,7 @@
 
 #include "eea/ensemble/band_support.h"
 #include "eea/definition/eea_definition.h"
+#include "foundation/work.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,17 +46,18 @@ std::vector<double> sampled_at(const ScoredTrial& scored);
 Test as_carried_out(const ScoredTrial& observed);
 
 /// `times`: when sensors are read, s; the test begins at `start`. Each model is driven by the test's controller, which
-/// responds to that model, or by its commands. The result does not depend on `threads`.
+/// responds to that model, or by its commands.
 EnsemblePrediction predict_test(const EeaDefinition& definition, const PassEnsemble& ensemble, const Test& test,
-                                const std::vector<double>& times, int threads, double start = 0.0);
+                                const std::vector<double>& times, const Work& work, double start = 0.0);
 
 /// The noise of a reading, one per channel of the model's (`ReadingNoise`): as the trials declare it that the ensemble
 /// was fitted to, else from the residual of the best model on them. Adds the steps taken to `steps`.
 std::vector<double> noise_of_readings(const EeaDefinition& definition, const ModelProposal& best,
-                                      const std::vector<ScoredTrial>& fitted, std::uint64_t& steps);
+                                      const std::vector<ScoredTrial>& fitted, std::uint64_t& steps,
+                                      const Stop& stop = {});
 
 /// A whole trial that the ensemble was not fitted to; without ratios where no model can carry it out.
 HeldOutTrial held_against(const EeaDefinition& definition, const PassEnsemble& ensemble, int number,
-                          const ScoredTrial& observed);
+                          const ScoredTrial& observed, const Stop& stop = {});
 
 }  // namespace lacuna

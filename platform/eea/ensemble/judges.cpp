@@ -53,14 +53,15 @@ Eigen::MatrixXd information_in(const TestPrediction& prediction, const Trial& tr
 
 }  // namespace
 
-Judges::Judges(const EeaDefinition& definition, int threads, const EeaState& state)
+Judges::Judges(const EeaDefinition& definition, const Work& work, const EeaState& state)
     : definition_(definition),
-      predictor_(*definition_.compiled, definition_.sample_times, threads, &definition_.model,
+      stop_(work.stop),
+      predictor_(*definition_.compiled, definition_.sample_times, work, &definition_.model,
                  definition_.value.models()) {
   for (const std::size_t i : differing(state.best, definition_.value.models(), definition_.phenotypes))
     judges_.push_back({state.best[i].model});
   const std::vector<ScoredTrial> trials = scored_trials(definition_, state);
-  if (!judges_.empty()) noise_ = noise_of_readings(definition_, judges_.front().model, trials, steps_);
+  if (!judges_.empty()) noise_ = noise_of_readings(definition_, judges_.front().model, trials, steps_, stop_);
   std::replace(noise_.begin(), noise_.end(), 0.0, kInfinity);  // a channel that never moved gives no information
   if (!definition_.value.wants_slopes()) return;
   for (Judge& judge : judges_) find_information(trials, judge);
@@ -72,7 +73,7 @@ void Judges::find_information(const std::vector<ScoredTrial>& trials, Judge& jud
   judge.information = kFlatPrior * Eigen::MatrixXd::Identity(values, values);
   std::string reason;
   for (const ScoredTrial& scored : trials) {
-    const TestPredictor predictor(*definition_.compiled, sampled_at(scored), 1, &definition_.model, 1,
+    const TestPredictor predictor(*definition_.compiled, sampled_at(scored), {1, stop_}, &definition_.model, 1,
                                   scored.trial.measured.times(0));
     const Test test = as_carried_out(scored);
     TestPrediction prediction;

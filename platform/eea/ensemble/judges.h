@@ -18,8 +18,8 @@ namespace lacuna {
 class Judges {
  public:
   /// The ensemble of the state's last estimation phase, as many models as the test fitness takes. Definition and state
-  /// must outlive it; simulates on `threads` threads.
-  Judges(const EeaDefinition& definition, int threads, const EeaState& state);
+  /// must outlive it.
+  Judges(const EeaDefinition& definition, const Work& work, const EeaState& state);
 
   std::size_t size() const { return judges_.size(); }
   int workers() const { return predictor_.workers(); }
@@ -42,6 +42,7 @@ class Judges {
                   TestPrediction& prediction, std::uint64_t& steps, std::string& reason) const;
 
   const EeaDefinition& definition_;
+  Stop stop_;
   std::vector<Judge> judges_;
   TestPredictor predictor_;
   std::vector<double> noise_;

@@ -40,7 +40,7 @@ std::vector<TargetTrial> recorded_trials(const EeaDefinition& definition, std::v
     throw Error(
         "target.drive is \"controllers\", but lacuna run drives models with the recorded commands; run with --set "
         "'target.drive=\"commands\"'");
-  const TrialPredictor predictor(*definition.compiled, trials, 1);
+  const TrialPredictor predictor(*definition.compiled, trials, {1});
   const RobotSpec& robot = definition.model.structure.robot;
   const StartStates states(robot, predictor, sensor_noise(robot, predictor.trials()));
   std::vector<TargetTrial> recorded;

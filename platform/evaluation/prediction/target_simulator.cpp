@@ -36,13 +36,14 @@ struct TargetSimulator::Desk {
 };
 
 TargetSimulator::TargetSimulator(const ModelDefinition& definition, std::vector<double> hidden,
-                                 std::uint64_t noise_seed)
+                                 std::uint64_t noise_seed, const Stop& stop)
     : model_(compile(definition.structure, definition.engine)),
       simulator_(std::make_unique<Desk>()),
       engine_(definition.engine),
       robot_(definition.structure.robot),
       hidden_(std::move(hidden)),
-      noise_seed_(noise_seed) {
+      noise_seed_(noise_seed),
+      stop_(stop) {
   simulator_->workspace = model_->make_workspace();
 }
 
@@ -52,6 +53,7 @@ Trial TargetSimulator::simulate(const Test& test) const {
   const HostCall call;
   const std::vector<double> times = sample_times(engine_, test.duration);
   SimulationOptions options;
+  options.stop = stop_;
   options.start = test.start;
   options.end_time = times.back();
   options.output_times = times;

@@ -3,6 +3,7 @@
 #include <lacuna/target_system.h>
 
 #include "evaluation/model/model_definition.h"
+#include "foundation/processes/stop.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,7 +19,9 @@ std::vector<double> sample_times(const EngineSettings& engine, double duration);
 class TargetSimulator : public Simulator {
  public:
   /// `hidden`: one value per `definition.free`. Trials are reproducible from `noise_seed` and their numbers.
-  TargetSimulator(const ModelDefinition& definition, std::vector<double> hidden, std::uint64_t noise_seed);
+  /// `stop`: of the work that carries the tests out.
+  TargetSimulator(const ModelDefinition& definition, std::vector<double> hidden, std::uint64_t noise_seed,
+                  const Stop& stop = {});
   ~TargetSimulator() override;
 
   /// The next trial is the `number`th, which keys its noise.
@@ -34,6 +37,7 @@ class TargetSimulator : public Simulator {
   RobotSpec robot_;
   std::vector<double> hidden_;
   std::uint64_t noise_seed_;
+  Stop stop_;
   std::uint64_t number_ = 0;
 };
 

@@ -14,15 +14,16 @@ struct TestPredictor::Desk {
   SimulationResult result = {};
 };
 
-TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
+TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> times, const Work& work,
                              const ModelDefinition* definition, std::size_t models, double start)
     : times_(std::move(times)) {
-  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+  for (int worker = 0; worker < std::max(work.threads, 1); ++worker) {
     auto simulator = std::make_unique<Desk>(Desk{CandidateSimulator(model, definition, models)});
     simulator->options.start_time = start;
     simulator->options.end_time = times_.back();
     simulator->options.output_times = times_;
     simulator->options.record_centre_of_mass = true;
+    simulator->options.stop = work.stop;
     simulators_.push_back(std::move(simulator));
   }
 }

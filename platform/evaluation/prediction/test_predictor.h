@@ -3,6 +3,7 @@
 #include <lacuna/test_fitness.h>
 
 #include "evaluation/scoring/candidate_simulator.h"
+#include "foundation/work.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,9 +18,9 @@ namespace lacuna {
 /// effects, must outlive it.
 class TestPredictor {
  public:
-  /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads. `models`: how many take turns,
-  /// so that their own robots stay compiled. `start`: when tests begin, s.
-  TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
+  /// `times`: when sensors are read, s; makes a workspace for each thread of `work`. `models`: how many take turns, so
+  /// that their own robots stay compiled. `start`: when tests begin, s.
+  TestPredictor(const CompiledModel& model, std::vector<double> times, const Work& work,
                 const ModelDefinition* definition = nullptr, std::size_t models = 1, double start = 0.0);
   ~TestPredictor();
 

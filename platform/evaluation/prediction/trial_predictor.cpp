@@ -59,8 +59,8 @@ double command_interval(const Trial& trial) {
   return between_readings > 0.0 ? std::min(between_commands, kMostReadings * between_readings) : between_commands;
 }
 
-TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers, Timing timing)
-    : model_(model), trials_(std::move(trials)), timing_(timing) {
+TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, const Work& work, Timing timing)
+    : model_(model), trials_(std::move(trials)), timing_(timing), stop_(work.stop) {
   for (Trial& trial : trials_) {
     check_shape(trial, model_);
     pasts_.push_back(past_of(trial));
@@ -70,10 +70,11 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
     if (trial.closed_loop) test.drive = trial.controller;
     tests_.push_back(std::move(test));
   }
-  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+  for (int worker = 0; worker < std::max(work.threads, 1); ++worker) {
     simulators_.push_back(std::make_unique<Desk>());
     simulators_.back()->workspace = model_.make_workspace();
     simulators_.back()->options.record_lateness = true;
+    simulators_.back()->options.stop = stop_;
   }
 }
 

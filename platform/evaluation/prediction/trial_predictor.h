@@ -2,6 +2,7 @@
 
 #include <lacuna/trial.h>
 
+#include "foundation/work.h"
 #include "simulation/compiled_model.h"
 
 #include <cstddef>
@@ -53,14 +54,16 @@ double command_interval(const Trial& trial);
 /// outlive the predictor; trials are copied.
 class TrialPredictor {
  public:
-  /// Makes a workspace for each of `workers` threads. Throws `Error` when a trial measures a channel that the model
-  /// does not have, in another unit, or when its initial values do not match the joints.
-  TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers,
+  /// Makes a workspace for each thread of `work`. Throws `Error` when a trial measures a channel that the model does
+  /// not have, in another unit, or when its initial values do not match the joints.
+  TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, const Work& work,
                  Timing timing = Timing::as_recorded);
 
   const CompiledModel& model() const { return model_; }
   const std::vector<Trial>& trials() const { return trials_; }
   int workers() const { return static_cast<int>(simulators_.size()); }
+  /// What ends the work early for which it predicts; whoever predicts many stretches asks between them.
+  const Stop& stop() const { return stop_; }
   /// All samples of a trial.
   Stretch whole(std::size_t trial) const { return {trial, 0, trials_[trial].measured.times.size()}; }
 
@@ -113,6 +116,7 @@ class TrialPredictor {
   const CompiledModel& model_;
   std::vector<Trial> trials_;
   Timing timing_;
+  Stop stop_;
   std::vector<Past> pasts_;                              ///< one a trial
   std::vector<Test> tests_;                              ///< one per trial: its commands
   std::vector<std::vector<Eigen::Index>> map_;           ///< per trial: measured channel → model channel

@@ -94,7 +94,7 @@ struct ModelScorer::Tally {
 };
 
 ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric,
-                         int workers, const ModelDefinition* definition, const std::vector<std::size_t>& profiled)
+                         const Work& work, const ModelDefinition* definition, const std::vector<std::size_t>& profiled)
     : trials_(std::move(trials)), metric_(std::move(metric)) {
   for (const ScoredTrial& scored : trials_) {
     maps_.push_back(match_channels(scored.trial, model.channels()));
@@ -107,13 +107,14 @@ ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> tr
     return guarded_call(metric_.origin, "accumulator",
                         [&] { return metric_->accumulator(shape_of(of), metric_.parameters); });
   };
-  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+  for (int worker = 0; worker < std::max(work.threads, 1); ++worker) {
     auto simulator = std::make_unique<Desk>(Desk{CandidateSimulator(model, definition)});
     simulator->total = accumulator(trials_);
     for (const ScoredTrial& scored : trials_) {
       simulator->trials.push_back(accumulator({&scored, 1}));
       SimulationOptions& options = simulator->options.emplace_back();
       const Eigen::VectorXd& times = scored.trial.measured.times;
+      options.stop = work.stop;
       options.start = start_of(scored.trial);
       options.start_time = times(0);
       options.end_time = times(times.size() - 1);

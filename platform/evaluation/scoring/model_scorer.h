@@ -6,6 +6,7 @@
 #include "evaluation/model/component_choice.h"
 #include "evaluation/scoring/lag_profile.h"
 #include "evaluation/scoring/scored_trial.h"
+#include "foundation/work.h"
 
 #include <cstdint>
 #include <memory>
@@ -32,11 +33,12 @@ struct ModelScore {
 /// compiled model, and the definition where models may have their own robot or lack effects, must outlive it.
 class ModelScorer {
  public:
-  /// Makes a workspace for each of `workers` threads. `profiled`: free values that are delays of sensors and not part
+  /// Makes a workspace for each thread of `work`. `profiled`: free values that are delays of sensors and not part
   /// of a candidate, but fitted for each (lag_profile.h), which needs a definition. Throws `Error` where a trial
   /// measures a channel that the model does not have.
-  ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers,
-              const ModelDefinition* definition = nullptr, const std::vector<std::size_t>& profiled = {});
+  ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric,
+              const Work& work, const ModelDefinition* definition = nullptr,
+              const std::vector<std::size_t>& profiled = {});
   ModelScorer(const ModelScorer&) = delete;
   ModelScorer& operator=(const ModelScorer&) = delete;
   ~ModelScorer();

@@ -3,7 +3,6 @@
 #include "evaluation/prediction/trial_predictor.h"
 #include "fitting/floor/disturbance.h"
 #include "fitting/floor/free_run.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 #include "foundation/unit.h"
 
@@ -26,11 +25,11 @@ struct Departure {
 
 /// Change of the prediction from `base` by `commands`, over the scored samples.
 Departure departure(const CompiledModel& model, const Trial& trial, CommandSeries commands, const ScoredStart& start,
-                    const std::vector<double>& values, const Prediction& base) {
-  throw_if_interrupted();
+                    const std::vector<double>& values, const Prediction& base, const Stop& stop) {
+  stop.throw_if_due();
   Trial disturbed = trial;
   disturbed.commands = std::move(commands);
-  const TrialPredictor predictor(model, {std::move(disturbed)}, 1);
+  const TrialPredictor predictor(model, {std::move(disturbed)}, {1, stop});
   const Prediction prediction = predict_again(predictor, 0, *start.pieces, values, 0);
   if (!prediction.valid) return {};
   const Eigen::Index rows = prediction.samples.rows() - start.first_scored;
@@ -102,13 +101,13 @@ class Propagation {
     const CompiledModel& model = forces ? *disturbed_model_ : task_.model;
     const ScoredStart& start = task_.starts[index];
     const auto channels = static_cast<Eigen::Index>(trial.measured.channels.size());
-    const TrialPredictor predictor(task_.model, {trial}, 1);
+    const TrialPredictor predictor(task_.model, {trial}, {1, task_.work.stop});
     const Prediction base = predict_again(predictor, 0, *start.pieces, task_.values, 0);
     if (!base.valid) return unknown(channels);
     std::vector<Departure> draws(kNoiseDraws);
-    parallel_for(draws.size(), task_.threads, [&](std::size_t draw, int) {
+    parallel_for(draws.size(), task_.work.threads, [&](std::size_t draw, int) {
       draws[draw] = departure(model, trial, forces ? forced(trial, index, draw) : noisy(trial, index, draw), start,
-                              task_.values, base);
+                              task_.values, base, task_.work.stop);
     });
     return rms(draws, channels, trial.measured.times.size() - start.first_scored);
   }

@@ -6,6 +6,7 @@
 #include "config/schema/experiment.h"
 #include "evaluation/model/model_definition.h"
 #include "fitting/starts/sensor_noise.h"
+#include "foundation/work.h"
 
 #include <cstdint>
 #include <string>
@@ -49,7 +50,7 @@ struct NoiseFloorTask {
   const std::vector<ChannelNoise>& sensors;  ///< of every measured channel
   const std::vector<ScoredStart>& starts;    ///< one a trial
   std::uint64_t seed = 1;
-  int threads = 1;
+  Work work = {};
 };
 
 /// The noise floor of every trial. Declared command noise and declared random forces are passed through the model by

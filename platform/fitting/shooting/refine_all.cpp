@@ -27,8 +27,8 @@ std::vector<Candidate> refine_all(ShootingProblem& problem, const std::vector<Ei
   const int at_once = searches_at_once(problem, starts.size());
   std::vector<std::unique_ptr<TrialPredictor>> simulators;  // the first search has the problem's own
   for (int i = 1; i < at_once; ++i)
-    simulators.push_back(
-        std::make_unique<TrialPredictor>(predictor.model(), predictor.trials(), predictor.workers() / at_once));
+    simulators.push_back(std::make_unique<TrialPredictor>(predictor.model(), predictor.trials(),
+                                                          Work{predictor.workers() / at_once, predictor.stop()}));
 
   std::mutex mutex;
   RefinementOptions shared = options;

@@ -1,7 +1,6 @@
 #include "fitting/shooting/shooting_problem.h"
 
 #include "foundation/statistics.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -80,7 +79,7 @@ ResidualPlace ShootingProblem::place(std::size_t k, Eigen::Index row) const {
 
 bool ShootingProblem::segment_residuals(std::size_t k, const Eigen::VectorXd& values, const Eigen::VectorXd& state,
                                         int worker, Eigen::VectorXd& residuals) {
-  throw_if_interrupted();
+  predictor_.stop().throw_if_due();
   const Segment& segment = segments_[k];
   StartState start = segment.start;
   for (std::size_t j = 0; j < segment.unknown.size(); ++j)

@@ -1,7 +1,5 @@
 #include "foundation/files/special_file.h"
 
-#include "foundation/processes/interrupt.h"
-
 #include <fcntl.h>
 #include <linux/magic.h>
 #include <sys/vfs.h>
@@ -45,12 +43,12 @@ std::string why_no_regular_file(const fs::path& file) {
   return "no such file";
 }
 
-int open_pipe_to_reader(const fs::path& file) {
+int open_pipe_to_reader(const fs::path& file, const Stop& stop) {
   int pipe = -1;
   for (double waited = 0.0; waited <= kReaderComes; waited += kLook) {
     pipe = ::open(file.c_str(), O_WRONLY | O_APPEND | O_NONBLOCK | O_CLOEXEC);
     if (pipe >= 0 || errno != ENXIO) break;
-    pause_for(kLook);
+    stop.pause_for(kLook);
     errno = ENXIO;
   }
   if (pipe >= 0) ::fcntl(pipe, F_SETFL, ::fcntl(pipe, F_GETFL) & ~O_NONBLOCK);

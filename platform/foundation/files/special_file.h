@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <filesystem>
 #include <string>
 
@@ -17,7 +19,7 @@ bool is_unnamed_pipe(const std::filesystem::path& file);
 std::string why_no_regular_file(const std::filesystem::path& file);
 
 /// Opens a pipe for writing, whose reader may come within seconds. Below 0: `errno` says why not; ENXIO: no reader.
-/// Throws `Interrupted` while it waits.
-int open_pipe_to_reader(const std::filesystem::path& file);
+/// Throws `Interrupted` while it waits, when `stop` is due.
+int open_pipe_to_reader(const std::filesystem::path& file, const Stop& stop);
 
 }  // namespace lacuna

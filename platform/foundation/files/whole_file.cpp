@@ -69,15 +69,15 @@ bool is_pipe(const fs::path& target) {
   return fs::is_fifo(target, none);
 }
 
-int open_directly(const fs::path& target) {
-  return is_pipe(target) ? open_pipe_to_reader(target)
+int open_directly(const fs::path& target, const Stop& stop) {
+  return is_pipe(target) ? open_pipe_to_reader(target, stop)
                          : ::open(target.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
 }
 
 /// Whether a pipe has a reader. The reader would see an end if the pipe were closed again before the first write, so it
 /// stays open until the process ends.
-std::optional<std::string> why_not_writable_pipe(const fs::path& target) {
-  if (open_pipe_to_reader(target) >= 0) return std::nullopt;
+std::optional<std::string> why_not_writable_pipe(const fs::path& target, const Stop& stop) {
+  if (open_pipe_to_reader(target, stop) >= 0) return std::nullopt;
   return errno == ENXIO ? kNobodyReads : std::strerror(errno);
 }
 
@@ -163,7 +163,7 @@ Draft open_draft(const fs::path& folder, mode_t mode) {
 
 }  // namespace
 
-WholeFile::WholeFile(const fs::path& file, Link link)
+WholeFile::WholeFile(const fs::path& file, Link link, const Stop& stop)
     : file_(file),
       target_(link == Link::followed ? end_of_links(file) : file),
       direct_(link == Link::followed && is_written_directly(target_)),
@@ -174,7 +174,7 @@ WholeFile::WholeFile(const fs::path& file, Link link)
   struct stat old {};
   const bool replaces = !direct_ && ::lstat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(file_);
-  const Draft draft = direct_ ? Draft{open_directly(target_), {}}
+  const Draft draft = direct_ ? Draft{open_directly(target_, stop), {}}
                               : open_draft(folder_of(target_), replaces ? old.st_mode & kPermissions : kNewFile);
   if (draft.descriptor < 0) fail(file_);
   draft_ = draft.name;
@@ -236,8 +236,8 @@ void WholeFile::publish_as_new() {
   if (!(draft_.empty() ? give_name(target_) : rename_draft(target_))) fail(file_);
 }
 
-void write_whole(const fs::path& file, std::string_view text, Link link, Existing existing) {
-  WholeFile whole(file, link);
+void write_whole(const fs::path& file, std::string_view text, Link link, Existing existing, const Stop& stop) {
+  WholeFile whole(file, link, stop);
   whole.stream() << text;
   existing == Existing::refused ? whole.publish_as_new() : whole.publish();
 }
@@ -260,7 +260,7 @@ bool is_replaceable(const fs::path& file) {
   return fs::is_regular_file(target, none) && !is_written_directly(target);
 }
 
-std::optional<std::string> why_not_writable(const fs::path& file) {
+std::optional<std::string> why_not_writable(const fs::path& file, const Stop& stop) {
   const fs::path target = end_of_links(file);
   if (is_circle(target)) return kCircleOfLinks;
   struct stat old {};
@@ -268,7 +268,7 @@ std::optional<std::string> why_not_writable(const fs::path& file) {
   if (is_new && !is_written_directly(target)) return why_not_writable_into(folder_of(target));
   if (::access(target.c_str(), W_OK) != 0) return std::strerror(errno);
   if (S_ISBLK(old.st_mode)) return "it is a disk; name a file";
-  if (is_pipe(target)) return why_not_writable_pipe(target);
+  if (is_pipe(target)) return why_not_writable_pipe(target, stop);
   return is_written_directly(target) ? std::nullopt : why_not_writable_into(folder_of(target));
 }
 

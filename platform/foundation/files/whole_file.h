@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <ext/stdio_filebuf.h>
 #include <sys/types.h>
 
@@ -26,8 +28,9 @@ enum class Link {
 /// that is not a regular file (/dev/stdout, a pipe) is written to directly.
 class WholeFile {
  public:
-  /// Throws `Error` where the file cannot be written.
-  WholeFile(const std::filesystem::path& file, Link link);
+  /// Throws `Error` where the file cannot be written, and `Interrupted` where `stop` ends the wait for the reader of a
+  /// pipe.
+  WholeFile(const std::filesystem::path& file, Link link, const Stop& stop = {});
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
@@ -61,7 +64,7 @@ enum class Existing { replaced, refused };
 
 /// Writes a whole text in this way.
 void write_whole(const std::filesystem::path& file, std::string_view text, Link link,
-                 Existing existing = Existing::replaced);
+                 Existing existing = Existing::replaced, const Stop& stop = {});
 
 /// The fault of a name whose symbolic links lead to no file, only to each other.
 inline constexpr const char* kCircleOfLinks = "its symbolic links form a circle; remove the link or name another file";
@@ -75,8 +78,9 @@ bool are_one_file(const std::filesystem::path& a, const std::filesystem::path& b
 /// Whether a `WholeFile` with followed links would replace an existing file.
 bool is_replaceable(const std::filesystem::path& file);
 
-/// Why a file that the user named cannot be written, for a check before long work; nothing if it can.
-std::optional<std::string> why_not_writable(const std::filesystem::path& file);
+/// Why a file that the user named cannot be written, for a check before long work; nothing if it can. A pipe is waited
+/// for as `WholeFile` does.
+std::optional<std::string> why_not_writable(const std::filesystem::path& file, const Stop& stop = {});
 /// The same for new files in an existing folder.
 std::optional<std::string> why_not_writable_into(const std::filesystem::path& folder);
 

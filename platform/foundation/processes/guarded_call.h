@@ -1,6 +1,6 @@
 #pragma once
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/plugins/plugin_call.h"
 #include "foundation/text/problem.h"
 #include "foundation/processes/process_watch.h"

@@ -1,6 +1,6 @@
 #include "foundation/processes/process_watch.h"
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/plugins/plugin_call.h"
 #include "foundation/processes/process_state.h"
 

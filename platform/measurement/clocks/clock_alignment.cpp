@@ -1,6 +1,5 @@
 #include "measurement/clocks/clock_alignment.h"
 
-#include "foundation/processes/interrupt.h"
 #include "measurement/clocks/alignment_samples.h"
 #include "measurement/series/blocked_regression.h"
 #include "measurement/clocks/clock_check.h"
@@ -63,7 +62,6 @@ enum class ReadingNoise { stays, taken_out };
 
 /// Row i of the first belongs to row i − shift of the second.
 BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift, ReadingNoise noise) {
-  throw_if_interrupted();
   const Sampled& explaining = by == By::second ? pair.second : pair.first;
   const Eigen::MatrixXd& targets = by == By::second ? pair.first.targets : pair.second.targets;
   BlockedRegression regression(explaining.features.cols() + 1, targets.cols(), kBlocks);
@@ -113,7 +111,7 @@ struct Found {
   std::vector<std::int64_t> others;
 };
 
-Found scan_offsets(const SampledPair& pair, const Shifts& shifts) {
+Found scan_offsets(const SampledPair& pair, const Shifts& shifts, const Stop& stop) {
   struct Profile {
     By by;
     std::vector<std::vector<double>> unexplained;  ///< by target, then shift
@@ -125,6 +123,7 @@ Found scan_offsets(const SampledPair& pair, const Shifts& shifts) {
     if (explaining.features.cols() == 0) continue;
     Profile profile{by, std::vector<std::vector<double>>(static_cast<std::size_t>(explained.targets.cols()))};
     for (std::int64_t shift = shifts.from; shift <= shifts.to; shift += kRowStride) {
+      stop.throw_if_due();
       const BlockedRegression regression = regress(pair, by, shift, ReadingNoise::stays);
       for (std::size_t t = 0; t < profile.unexplained.size(); ++t)
         profile.unexplained[t].push_back(unexplained(regression, static_cast<Eigen::Index>(t)));
@@ -235,7 +234,7 @@ Fine refine_between(const Signals& first, const Signals& second, const Best& bes
 
 /// `around`: s to either side of `near`, the search range.
 std::optional<Fine> refine(const Signals& first, const Signals& second, const Best& best, double near, double around,
-                           double reach) {
+                           double reach, const Stop& stop) {
   const double step = reach / static_cast<double>(2 * kReach);
   const SampledPair pair = sample_pair(first, second, step);
   const auto middle = static_cast<std::int64_t>(std::llround((near - pair.base) / step));
@@ -243,6 +242,7 @@ std::optional<Fine> refine(const Signals& first, const Signals& second, const Be
   std::vector<double> whole;
   std::vector<std::vector<double>> alone(kBlocks);
   for (std::int64_t shift = middle - wide; shift <= middle + wide; ++shift) {
+    stop.throw_if_due();
     const BlockedRegression regression = regress(pair, best.by, shift, ReadingNoise::taken_out);
     whole.push_back(unexplained(regression, best.target));
     for (std::size_t b = 0; b < kBlocks; ++b) alone[b].push_back(regression.unexplained_in(b, best.target));
@@ -286,13 +286,14 @@ struct Look {
 /// The window must be short compared with the motion and long compared with the noise of readings, so several are
 /// tried.
 std::optional<Look> look_for_offset(const Signals& first, const Signals& second,
-                                    const std::pair<double, double>& between, double shortest, double longest) {
+                                    const std::pair<double, double>& between, double shortest, double longest,
+                                    const Stop& stop) {
   std::optional<Look> best;
   for (double reach = shortest; reach <= longest; reach *= 2.0) {
     Look look{reach, sample_pair(first, second, reach / static_cast<double>(2 * kReach)), {}};
     const Shifts shifts = shifts_within(look.pair, between);
     if (shifts.from > shifts.to) continue;
-    look.found = scan_offsets(look.pair, shifts);
+    look.found = scan_offsets(look.pair, shifts, stop);
     if (!best || look.found.best.unexplained < kBetterLook * best->found.best.unexplained) best = std::move(look);
   }
   return best;
@@ -327,27 +328,30 @@ std::optional<Fine> choose(const std::vector<Fine>& offsets) {
 }
 
 /// With clocks of equal rate; writes the result of each block to `fine`.
-Answer align(const Signals& first, const Signals& second, const std::pair<double, double>& between, Fine& fine) {
+Answer align(const Signals& first, const Signals& second, const std::pair<double, double>& between, const Stop& stop,
+             Fine& fine) {
   const double longer = std::max(end_of(first) - begin_of(first), end_of(second) - begin_of(second));
   const double interval = std::max(slowest_interval(first), slowest_interval(second));
   const double coarse = std::max(kFewestIntervals * interval, longer / kCoarsest);
   double longest = coarse;
   while (2.0 * longest * kFewestWindows <= longer) longest *= 2.0;
-  const std::optional<Look> look = look_for_offset(first, second, between, coarse, longest);
+  const std::optional<Look> look = look_for_offset(first, second, between, coarse, longest, stop);
   if (!look) return std::string("no offset within `between` makes the files overlap by half of the shorter one");
   const SampledPair& pair = look->pair;
   const Found& found = look->found;
   if (!(found.best.unexplained < kMostUnexplained))
     return std::string("at no offset do the readings of one file explain half of a signal of the other");
-  for (const std::int64_t other : found.others)
+  for (const std::int64_t other : found.others) {
+    stop.throw_if_due();
     if (std::abs(other - found.best.shift) > 4 * kRowStride && !is_distinct(pair, found.best, other))
       return fmt::format(
           "offsets of {:.4g} s and {:.4g} s explain `{}` equally well, so this motion does not determine the offset",
           pair.offset(found.best.shift), pair.offset(other), name_of(first, second, found.best));
+  }
   std::vector<Fine> offsets;
   double near = pair.offset(found.best.shift), error_of_near = kInfinite;
   for (double reach = longest; reach >= kFewestIntervals * interval && longer < kMostWindows * reach; reach *= 0.5) {
-    const std::optional<Fine> one = refine(first, second, found.best, near, kAround * look->reach, reach);
+    const std::optional<Fine> one = refine(first, second, found.best, near, kAround * look->reach, reach, stop);
     if (!one || one->offset < between.first || one->offset > between.second) continue;
     offsets.push_back(*one);
     if (one->error > error_of_near) continue;
@@ -368,7 +372,7 @@ Answer align_clocks(const Signals& first, const Signals& second, const Alignment
   double skew = task.skew;
   for (int round = 0;; ++round) {
     Fine fine;
-    Answer answer = align(first, skewed(second, skew), task.between, fine);
+    Answer answer = align(first, skewed(second, skew), task.between, task.stop, fine);
     ClockAlignment* alignment = std::get_if<ClockAlignment>(&answer);
     if (!alignment && round > 0)
       return std::string("these files do not determine the skew: leave skew out, or write its number");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -28,6 +30,7 @@ struct AlignmentTask {
   std::pair<double, double> between;  ///< s, search range of the offset
   double skew = 0.0;                  ///< known, or a first guess
   bool finds_skew = false;
+  Stop stop = {};
 };
 
 /// Finds the relation of the clocks of two devices that recorded the same motion, or says why not.
@@ -38,7 +41,7 @@ struct AlignmentTask {
 /// reading against those between (blocked_regression.h). The signal that is explained best decides. Errors are those of
 /// a jackknife over sixteen blocks of time, or the difference to windows of other lengths if that is larger; an offset
 /// that is not clearly better than another, as for a periodic motion, is refused. The offset includes any delay of a
-/// drive or a sensor.
+/// drive or a sensor. Throws `Interrupted`.
 std::variant<ClockAlignment, std::string> align_clocks(const std::vector<ClockedSignal>& first,
                                                        const std::vector<ClockedSignal>& second,
                                                        const AlignmentTask& task);

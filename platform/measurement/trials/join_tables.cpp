@@ -135,7 +135,7 @@ void set_clock(const FurtherFile& file, const RecordingPlan& plan, Hold hold, co
   part.offset = file.offset.value_or(0.0);
   part.skew = file.skew.value_or(0.0);
   if (file.offset && file.skew) return;
-  AlignmentTask task{file.between, part.skew, !file.skew};
+  AlignmentTask task{file.between, part.skew, !file.skew, plan.stop};
   if (file.offset) task.between = {*file.offset - kSlack, *file.offset + kSlack};
   const auto answer = align_clocks(signals_of(first, plan, hold), signals_of(part, plan, hold), task);
   if (const std::string* reason = std::get_if<std::string>(&answer)) {

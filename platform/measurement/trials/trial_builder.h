@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "measurement/clocks/clock_check.h"
 #include "measurement/trials/column_plan.h"
 #include "measurement/csv/csv_table.h"
@@ -24,6 +25,7 @@ struct RecordingPlan {
   double seconds_per_time_unit = 1.0;
   std::vector<InitialValue> initial;     ///< per joint coordinate
   std::vector<double> commanded_before;  ///< before the first sample, by command; NaN: not known
+  Stop stop = {};                        ///< of the work that reads the recordings
 };
 
 /// Makes a trial of the clock's rows: SI units, masked readings NaN, missing commands filled in according to the hold

@@ -1,6 +1,5 @@
 #include "report/exports/column_spool.h"
 
-#include "foundation/processes/interrupt.h"
 #include "storage/queries/query_output.h"
 
 #include <lacuna/error.h>
@@ -90,7 +89,8 @@ std::FILE* temporary_file() {
 
 }  // namespace
 
-ColumnSpool::ColumnSpool(std::size_t columns, std::size_t most_bytes) : columns_(columns), most_bytes_(most_bytes) {}
+ColumnSpool::ColumnSpool(std::size_t columns, std::size_t most_bytes, const Stop& stop)
+    : columns_(columns), most_bytes_(most_bytes), stop_(stop) {}
 
 ColumnSpool::~ColumnSpool() = default;
 
@@ -100,7 +100,7 @@ void ColumnSpool::add(std::size_t column, const Cell& cell) {
 }
 
 void ColumnSpool::write_out(Column& column) {
-  throw_if_interrupted();
+  stop_.throw_if_due();
   if (!file_) file_.reset(temporary_file());
   const std::string& bytes = column.waiting;
   if (!file_ || ::fseeko(file_.get(), end_, SEEK_SET) != 0 ||
@@ -114,7 +114,7 @@ void ColumnSpool::write_out(Column& column) {
 void ColumnSpool::visit(std::size_t column, const std::function<void(const Cell&)>& visit) {
   std::string piece;
   for (const Extent& extent : columns_[column].written) {
-    throw_if_interrupted();
+    stop_.throw_if_due();
     piece.resize(extent.size);
     if (::fseeko(file_.get(), extent.place, SEEK_SET) != 0 ||
         std::fread(piece.data(), 1, piece.size(), file_.get()) < piece.size())

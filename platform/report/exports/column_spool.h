@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "storage/queries/query.h"
 
 #include <cstdint>
@@ -17,10 +18,10 @@ class ColumnSpool {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{1} << 18;
 
-  explicit ColumnSpool(std::size_t columns, std::size_t most_bytes = kMostBytes);
+  explicit ColumnSpool(std::size_t columns, std::size_t most_bytes = kMostBytes, const Stop& stop = {});
   ~ColumnSpool();
 
-  /// Throws `Error` where the temporary file takes no more.
+  /// Throws `Error` where the temporary file takes no more, and `Interrupted`.
   void add(std::size_t column, const Cell& cell);
   /// The cells of a column in the order in which they came; as often as it is asked for. Of bytes there is the text
   /// that stands for them.
@@ -42,6 +43,7 @@ class ColumnSpool {
 
   std::vector<Column> columns_;
   std::size_t most_bytes_;
+  Stop stop_;
   std::unique_ptr<std::FILE, Close> file_;
   std::int64_t end_ = 0;  ///< of the file, bytes
 };

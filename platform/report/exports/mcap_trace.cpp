@@ -1,6 +1,5 @@
 #include "report/exports/mcap_trace.h"
 
-#include "foundation/processes/interrupt.h"
 #include "report/exports/mcap_writer.h"
 #include "report/exports/trace_rows.h"
 
@@ -57,12 +56,12 @@ double origin_of(const NamedTrace& trace) {
 
 }  // namespace
 
-void write_mcap_trace(const NamedTrace& trace, std::ostream& stream) {
+void write_mcap_trace(const NamedTrace& trace, std::ostream& stream, const Stop& stop) {
   const std::vector<TraceChannel> channels = channels_of(trace);
   const double origin = origin_of(trace);
   McapWriter writer(stream, topics_of(trace, channels));
   for_each_time(trace, [&](const TraceTime& time) {
-    throw_if_interrupted();
+    stop.throw_if_due();
     const auto stamp = static_cast<std::uint64_t>(std::llround((time.time - origin) * kNanoseconds));
     for (std::size_t i = 0; i < channels.size(); ++i)
       if (const std::string json = message(trace, channels[i], time); !json.empty()) writer.add(i, stamp, json);

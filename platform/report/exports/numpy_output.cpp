@@ -13,12 +13,12 @@ constexpr std::size_t kPiece = std::size_t{1} << 16;  ///< bytes that are writte
 
 class NumpyOutput : public QueryOutput {
  public:
-  explicit NumpyOutput(std::ostream& stream) : stream_(stream) {}
+  NumpyOutput(std::ostream& stream, const Stop& stop) : stream_(stream), stop_(stop) {}
 
   void begin(const std::vector<std::string>& names) override {
     names_ = names;
     columns_.assign(names.size(), {});
-    spool_.emplace(names.size());
+    spool_.emplace(names.size(), ColumnSpool::kMostBytes, stop_);
   }
 
   void row(const std::vector<Cell>& cells) override {
@@ -48,6 +48,7 @@ class NumpyOutput : public QueryOutput {
   }
 
   std::ostream& stream_;
+  Stop stop_;
   std::vector<std::string> names_;
   std::vector<NpyColumn> columns_;
   std::optional<ColumnSpool> spool_;
@@ -55,6 +56,8 @@ class NumpyOutput : public QueryOutput {
 
 }  // namespace
 
-std::unique_ptr<QueryOutput> make_numpy_output(std::ostream& stream) { return std::make_unique<NumpyOutput>(stream); }
+std::unique_ptr<QueryOutput> make_numpy_output(std::ostream& stream, const Stop& stop) {
+  return std::make_unique<NumpyOutput>(stream, stop);
+}
 
 }  // namespace lacuna

@@ -1,7 +1,5 @@
 #include "report/exports/trace_rows.h"
 
-#include "foundation/processes/interrupt.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +51,7 @@ double value_at(const NamedTrace& trace, const TraceChannel::Place& place, const
   return trace.parts[place.part].series.samples(row, place.column);
 }
 
-void write_trace_rows(const NamedTrace& trace, QueryOutput& output) {
+void write_trace_rows(const NamedTrace& trace, QueryOutput& output, const Stop& stop) {
   const std::vector<TraceChannel> channels = channels_of(trace);
   std::vector<std::string> names = {"time [s]"};
   for (const TraceChannel& one : channels)
@@ -62,7 +60,7 @@ void write_trace_rows(const NamedTrace& trace, QueryOutput& output) {
   output.begin(names);
   std::vector<Cell> cells;
   for_each_time(trace, [&](const TraceTime& time) {
-    throw_if_interrupted();
+    stop.throw_if_due();
     cells.assign(1, time.time);
     for (const TraceChannel& one : channels)
       for (const TraceChannel::Place& place : one.places) {

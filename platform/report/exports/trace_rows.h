@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "storage/queries/query.h"
 #include "storage/traces/named_trace.h"
 
@@ -36,6 +37,6 @@ double value_at(const NamedTrace& trace, const TraceChannel::Place& place, const
 
 /// Hands a trace to `output` as one table: "time [s]", and for each channel a column a part that has it, "angle
 /// measured [rad]" beside "angle predicted [rad]". A value that is not known is NULL.
-void write_trace_rows(const NamedTrace& trace, QueryOutput& output);
+void write_trace_rows(const NamedTrace& trace, QueryOutput& output, const Stop& stop = {});
 
 }  // namespace lacuna

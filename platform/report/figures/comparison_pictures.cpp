@@ -47,12 +47,13 @@ Figure figure_of(const TrialComparison& trial, std::size_t channel, const std::s
 }  // namespace
 
 std::vector<std::filesystem::path> draw_comparison(const Comparison& comparison, const std::string& title,
-                                                   const std::filesystem::path& folder, FileNames& names) {
+                                                   const std::filesystem::path& folder, FileNames& names,
+                                                   const Stop& stop) {
   std::vector<std::filesystem::path> files;
   for (const TrialComparison& trial : comparison.trials)
     for (std::size_t channel = 0; channel < trial.channels.size(); ++channel) {
       files.push_back(folder / names.next(trial.trial + "-" + trial.channels[channel].channel + ".svg"));
-      write_svg(figure_of(trial, channel, title), files.back());
+      write_svg(figure_of(trial, channel, title), files.back(), stop);
     }
   return files;
 }

@@ -202,12 +202,12 @@ Figure horizons_figure(const Diagnosis& diagnosis, const std::string& title) {
 }  // namespace
 
 std::vector<std::filesystem::path> draw_diagnosis(const Diagnosis& diagnosis, const std::string& title,
-                                                  const std::filesystem::path& folder) {
+                                                  const std::filesystem::path& folder, const Stop& stop) {
   std::vector<std::filesystem::path> files;
   FileNames names;
   const auto draw = [&](const Figure& figure, const std::string& name) {
     files.push_back(folder / names.next(name));
-    write_svg(figure, files.back());
+    write_svg(figure, files.back(), stop);
   };
   if (!diagnosis.horizons.empty()) draw(horizons_figure(diagnosis, title), "errors-by-horizon.svg");
   if (!ranked_rows(diagnosis).empty()) draw(ranking_figure(diagnosis, title), "ranking.svg");

@@ -14,6 +14,6 @@ namespace lacuna {
 /// held-out gain of each ranked model with its 95 % interval, beside what chance reaches in 5 % of cases. Nothing is
 /// drawn of what the diagnosis does not hold. Throws `Error` as `write_svg` does.
 std::vector<std::filesystem::path> draw_diagnosis(const Diagnosis& diagnosis, const std::string& title,
-                                                  const std::filesystem::path& folder);
+                                                  const std::filesystem::path& folder, const Stop& stop = {});
 
 }  // namespace lacuna

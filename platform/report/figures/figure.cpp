@@ -1,7 +1,6 @@
 #include "report/figures/figure.h"
 
 #include "foundation/processes/child_program.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/files/whole_file.h"
 #include "report/figures/figure_script.h"
@@ -72,11 +71,11 @@ std::unique_ptr<ChildProgram> started(const ChildBeginning& beginning) {
   }
 }
 
-ChildEnding end_of(ChildProgram& child) {
+ChildEnding end_of(ChildProgram& child, const Stop& stop) {
   constexpr double kLook = 0.1;  // s
   for (;;) {
     if (const std::optional<ChildEnding> ending = child.ended_within(kLook)) return *ending;
-    throw_if_interrupted();
+    stop.throw_if_due();
   }
 }
 
@@ -94,10 +93,10 @@ void check(const Figure& figure) {
 
 }  // namespace
 
-std::string svg_of(const Figure& figure) {
+std::string svg_of(const Figure& figure, const Stop& stop) {
   check(figure);
   const MemoryFile script(gnuplot_script(figure)), picture, complaints;
-  const ChildEnding ending = end_of(*started(gnuplot(script, picture, complaints)));
+  const ChildEnding ending = end_of(*started(gnuplot(script, picture, complaints)), stop);
   std::string svg = picture.content();
   if (ending.code() != 0 || svg.find("</svg>") == svg.npos)
     throw Error(fmt::format("figure \"{}\": gnuplot {} and could not draw it: {}", plain_text(figure.title),
@@ -105,8 +104,8 @@ std::string svg_of(const Figure& figure) {
   return svg;
 }
 
-void write_svg(const Figure& figure, const std::filesystem::path& file) {
-  const std::string svg = svg_of(figure);
+void write_svg(const Figure& figure, const std::filesystem::path& file, const Stop& stop) {
+  const std::string svg = svg_of(figure, stop);
   if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
   write_whole(file, svg, Link::replaced);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -71,10 +73,10 @@ inline constexpr const char* kGrey = "#9A9A9A";
 
 /// The figure as SVG. Texts may be of any origin: they stand there as they are, with a space for each control character
 /// and U+FFFD for what is not UTF-8. Long lines are thinned to their extremes per pixel column. Throws `Error` where
-/// gnuplot is missing or fails.
-std::string svg_of(const Figure& figure);
+/// gnuplot is missing or fails, and `Interrupted`.
+std::string svg_of(const Figure& figure, const Stop& stop = {});
 
 /// Writes the figure into a file whose name we chose in the user's folder, which is made where it is missing.
-void write_svg(const Figure& figure, const std::filesystem::path& file);
+void write_svg(const Figure& figure, const std::filesystem::path& file, const Stop& stop = {});
 
 }  // namespace lacuna

@@ -33,12 +33,12 @@ Figure figure_of(const std::vector<HistoryRow>& rows, const std::string& channel
 }  // namespace
 
 std::vector<std::filesystem::path> draw_history(const std::vector<HistoryRow>& rows, const std::string& title,
-                                                const std::filesystem::path& folder) {
+                                                const std::filesystem::path& folder, const Stop& stop) {
   std::vector<std::filesystem::path> files;
   FileNames names;
   for (const std::string& channel : channels_of(rows)) {
     files.push_back(folder / names.next("history-" + channel + ".svg"));
-    write_svg(figure_of(rows_of(rows, channel), channel, title), files.back());
+    write_svg(figure_of(rows_of(rows, channel), channel, title), files.back(), stop);
   }
   return files;
 }

@@ -159,11 +159,11 @@ Figure autocorrelation_figure(const ChannelWhiteness& whiteness, const std::stri
 }  // namespace
 
 std::vector<std::filesystem::path> draw_where(const WhereItFails& where, const std::string& title,
-                                              const std::filesystem::path& folder, FileNames& names) {
+                                              const std::filesystem::path& folder, FileNames& names, const Stop& stop) {
   std::vector<std::filesystem::path> files;
   const auto draw = [&](const Figure& figure, const std::string& name) {
     files.push_back(folder / names.next(name));
-    write_svg(figure, files.back());
+    write_svg(figure, files.back(), stop);
   };
   for (const ResidualView& view : where.views) {
     if (const auto figure = regimes_figure(view, where.table, title)) draw(*figure, "where-regimes" + ending(view));

@@ -15,7 +15,8 @@ namespace lacuna {
 /// residual accelerations end in `-acceleration.svg`. At most `kDrawnChannels` channels, those with most error.
 /// `names`: of all that the command puts into the folder.
 std::vector<std::filesystem::path> draw_where(const WhereItFails& where, const std::string& title,
-                                              const std::filesystem::path& folder, FileNames& names);
+                                              const std::filesystem::path& folder, FileNames& names,
+                                              const Stop& stop = {});
 
 inline constexpr std::size_t kDrawnChannels = 6;
 

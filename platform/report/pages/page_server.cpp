@@ -85,7 +85,7 @@ WebAnswer answer_to(const std::string& question, const Answer& answer) {
 struct PageServer::Impl {
   explicit Impl(PageServerOptions with)
       : options(std::move(with)),
-        readable(options.database, options.pages.parent_path()),
+        readable(options.database, options.pages.parent_path(), options.stop),
         share(options.processor_share),
         web({.host = options.host, .port = options.port, .handle = [this](WebRequest request, const WebReply& reply) {
                route(std::move(request), reply);
@@ -141,7 +141,8 @@ struct PageServer::Impl {
     const std::string stamp = stamp_of(options.database), asked = question.dump();
     if (Text known = answers.find(stamp, asked)) return known;
     const std::shared_ptr<const std::filesystem::path> file = readable.file();  // shared: read until this is answered
-    Text found = text_of(page_json(ask_for_page(*file, options.pages, query), query.sizes, kLongestAnswer));
+    const PageTable table = ask_for_page(*file, options.pages, query, options.stop);
+    Text found = text_of(page_json(table, query.sizes, kLongestAnswer));
     if (is_cacheable(query.sql)) answers.keep(stamp, asked, found);
     return found;
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -19,6 +21,7 @@ struct PageServerOptions {
   /// Of one processor, for what all viewers together ask by themselves when the database has changed: they are told so
   /// late enough.
   double processor_share = 0.02;
+  Stop stop = {};  ///< ends questions to the database early
 };
 
 /// Hands out the pages and answers their questions about a database, which it reads only. Whoever asks must have the

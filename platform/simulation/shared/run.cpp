@@ -1,7 +1,6 @@
 #include "simulation/shared/run.h"
 
 #include "foundation/address.h"
-#include "foundation/processes/interrupt.h"
 #include "foundation/text/number_text.h"
 #include "foundation/processes/process_limits.h"
 #include "simulation/shared/sensor_imperfections.h"
@@ -59,7 +58,7 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
     record_lateness();
     bool wanted = write_outputs(time(step_), time(step_));
     while (wanted && step_ < last_step_) {
-      throw_if_kept_waiting();
+      options_.stop.throw_if_kept_waiting();
       advance();
       wanted = write_outputs(time(step_ - 1), time(step_));
     }

@@ -92,13 +92,15 @@ std::string first_mark() {
 
 }  // namespace
 
-Database::Database(std::filesystem::path file) : file_(std::move(file)) {}
+Database::Database(std::filesystem::path file, const Stop& stop)
+    : file_(std::move(file)), stop_(std::make_unique<const Stop>(stop)) {}
 Database::Database(Database&&) noexcept = default;
 
 Database& Database::operator=(Database&& other) noexcept {
   const Database old(std::move(*this));  // ends as any other
   file_ = std::move(other.file_);
   connection_ = std::move(other.connection_);
+  stop_ = std::move(other.stop_);
   place_ = std::move(other.place_);
   watch_ = std::move(other.watch_);
   lost_ = std::move(other.lost_);
@@ -135,8 +137,9 @@ Database Database::open(const std::filesystem::path& file, const std::vector<Mig
   return database;
 }
 
-Database Database::open(const std::filesystem::path& file) {
+Database Database::open(const std::filesystem::path& file, const Stop& stop) {
   Database database = open(file, schema_migrations());
+  database.stop_ = std::make_unique<const Stop>(stop);
   refresh_views(database, schema_views());
   database.begin_marks();
   return database;
@@ -167,14 +170,14 @@ void Database::read_copy_of_this_version() {
   refresh_views(*this, schema_views());
 }
 
-Database Database::open_read_only(const std::filesystem::path& file) {
+Database Database::open_read_only(const std::filesystem::path& file, const Stop& stop) {
   check_may_read(file);
   if (!std::filesystem::exists(file)) {
     throw_problem({file.string()},
                   "no such database; `lacuna compare` and `lacuna run` make one from an experiment file");
   }
   check_place(file);
-  Database database(file);
+  Database database(file, stop);
   const std::string foreign_log = put_foreign_log_aside(file);
   if (!foreign_log.empty()) {
     fmt::print(stderr, "{}; {} is read without it\n", foreign_log, file.string());
@@ -202,12 +205,12 @@ Database Database::open_read_only(const std::filesystem::path& file) {
   }
   if (!is_of_version(database, schema_migrations())) database.read_copy_of_this_version();
   database.execute("PRAGMA query_only = ON");
-  end_when_interrupted(database.connection());
+  end_when_due(database.connection(), database.stop());
   return database;
 }
 
-Database Database::open_copy(const std::filesystem::path& file) {
-  Database database = open_read_only(file);
+Database Database::open_copy(const std::filesystem::path& file, const Stop& stop) {
+  Database database = open_read_only(file, stop);
   database.read_copy_of_this_version();
   return database;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "storage/files/moved_file.h"
 
 #include <chrono>
@@ -43,16 +44,16 @@ inline constexpr int kApplicationId = 0x4C61636E;
 class Database {
  public:
   /// Opens for writing; creates the file or brings it up to date, keeping a copy
-  /// (`FILE.before-version-N`) of one that has to be migrated.
-  static Database open(const std::filesystem::path& file);
+  /// (`FILE.before-version-N`) of one that has to be migrated. `stop`: of the work that opens it.
+  static Database open(const std::filesystem::path& file, const Stop& stop = {});
   /// The same with other migrations, for tests of migrating itself; no views.
   static Database open(const std::filesystem::path& file, const std::vector<Migration>& migrations);
   /// Opens for reading what exists. Nothing can be written through it. Of a file of an older version a temporary copy
-  /// is brought up to date and read.
-  static Database open_read_only(const std::filesystem::path& file);
+  /// is brought up to date and read. Long questions end with `Interrupted` when `stop` is due.
+  static Database open_read_only(const std::filesystem::path& file, const Stop& stop = {});
   /// Opens for writing a temporary copy of what exists, brought up to date, which ends with the object: for commands
   /// that find their answer in a file that they may not write to.
-  static Database open_copy(const std::filesystem::path& file);
+  static Database open_copy(const std::filesystem::path& file, const Stop& stop = {});
   /// Opens a database without tables that is not a user's file: a new file or, without a name, memory.
   static Database open_blank(const std::filesystem::path& file = {});
 
@@ -61,6 +62,8 @@ class Database {
   ~Database();
 
   const std::filesystem::path& file() const { return file_; }
+  /// What ends the work early for which it was opened: for what reads or copies many rows.
+  const Stop& stop() const { return *stop_; }
   /// For storage/ alone.
   SQLite::Database& connection() const { return *connection_; }
   sqlite3* handle() const;
@@ -83,11 +86,12 @@ class Database {
   void roll_back();
 
  private:
-  explicit Database(std::filesystem::path file);
+  explicit Database(std::filesystem::path file, const Stop& stop = {});
   void read_copy_of_this_version();
   void begin_marks();
   void check_continued();
   std::filesystem::path file_;
+  std::unique_ptr<const Stop> stop_;  ///< at one place, because SQLite asks it through the connection
   std::unique_ptr<SQLite::Database> connection_;
   std::optional<OpenPlace> place_;       ///< of a file that was opened for writing
   std::unique_ptr<ContentWatch> watch_;  ///< of one whose commits are marked

@@ -1,6 +1,5 @@
 #include "storage/core/reading_only.h"
 
-#include "foundation/processes/interrupt.h"
 #include "storage/core/bounded_functions.h"
 
 #include <sqlite3.h>
@@ -137,8 +136,9 @@ bool is_allowed(std::string_view function) {
          std::find(std::begin(kFunctions), std::end(kFunctions), function) != std::end(kFunctions);
 }
 
-int stop_if_due(void* reading) {
-  return interrupt_requested() || static_cast<const ReadingOnly*>(reading)->out_of_time() ? 1 : 0;
+int stop_if_due(void* asked) {
+  const auto& reading = *static_cast<const ReadingOnly*>(asked);
+  return reading.stop().is_due() || reading.out_of_time() ? 1 : 0;
 }
 
 /// Refuses what the read-only file itself would let pass: other files, pragmas that set something, extensions.
@@ -167,8 +167,8 @@ int allow_reading_only(void*, int action, const char* first, const char* second,
 
 }  // namespace
 
-ReadingOnly::ReadingOnly(sqlite3* handle, std::optional<std::chrono::milliseconds> longest)
-    : handle_(handle), longest_(longest) {
+ReadingOnly::ReadingOnly(sqlite3* handle, const Stop& stop, std::optional<std::chrono::milliseconds> longest)
+    : handle_(handle), stop_(stop), longest_(longest) {
   if (longest) end_ = std::chrono::steady_clock::now() + *longest;
   sqlite3_hard_heap_limit64(kMostQueryMemory);
   add_bounded_functions(handle_);

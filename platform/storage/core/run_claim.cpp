@@ -1,6 +1,5 @@
 #include "storage/core/run_claim.h"
 
-#include "foundation/processes/interrupt.h"
 #include "storage/core/statement.h"
 
 #include <lacuna/error.h>
@@ -168,7 +167,7 @@ std::vector<ForeignClaim> silent_claims(const Database& database, const std::vec
   });
   if (claims.empty()) return claims;
   if (before_waiting) before_waiting();
-  pause_for(kSilence);
+  database.stop().pause_for(kSilence);
   return claims;  // one that has beaten since is another
 }
 

@@ -1,6 +1,6 @@
 #include "storage/core/storage_error.h"
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/text/problem.h"
 #include "foundation/processes/process_limits.h"
 

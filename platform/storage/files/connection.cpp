@@ -1,6 +1,5 @@
 #include "storage/files/connection.h"
 
-#include "foundation/processes/interrupt.h"
 #include "storage/files/callback.h"
 
 #include <SQLiteCpp/Database.h>
@@ -73,10 +72,10 @@ std::unique_ptr<SQLite::Database> open_connection(const std::string& name, int f
   return connection;
 }
 
-void end_when_interrupted(SQLite::Database& connection) {
+void end_when_due(SQLite::Database& connection, const Stop& stop) {
   constexpr int kOperationsBetweenLooks = 10000;  // of SQLite's machine, well under a millisecond
-  const auto stop = [](void*) { return interrupt_requested() ? 1 : 0; };
-  sqlite3_progress_handler(connection.getHandle(), kOperationsBetweenLooks, stop, nullptr);
+  const auto is_due = [](void* asked) { return static_cast<const Stop*>(asked)->is_due() ? 1 : 0; };
+  sqlite3_progress_handler(connection.getHandle(), kOperationsBetweenLooks, is_due, const_cast<Stop*>(&stop));
 }
 
 std::string uri_of(const std::string& file) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <memory>
 #include <string>
 
@@ -19,8 +21,8 @@ inline constexpr int kBusyTimeoutMs = 5000;  ///< another writer's transaction t
 /// Throws `SQLite::Exception`.
 std::unique_ptr<SQLite::Database> open_connection(const std::string& name, int flags);
 
-/// From now on long questions end when the user interrupts the program.
-void end_when_interrupted(SQLite::Database& connection);
+/// From now on long questions end when `stop` is due, which must live as long as the connection.
+void end_when_due(SQLite::Database& connection, const Stop& stop);
 
 /// A URI that SQLite takes for this file, whatever characters its name has.
 std::string uri_of(const std::string& file);

@@ -1,6 +1,5 @@
 #include "storage/integrity/backup.h"
 
-#include "foundation/processes/interrupt.h"
 #include "foundation/text/problem.h"
 #include "foundation/files/whole_file.h"
 #include "storage/core/database.h"
@@ -91,20 +90,20 @@ bool is_larger(const std::filesystem::path& file, const std::filesystem::path& t
 
 }  // namespace
 
-std::uintmax_t back_up(const std::filesystem::path& database, const std::filesystem::path& to,
+std::uintmax_t back_up(const std::filesystem::path& database, const std::filesystem::path& to, const Stop& stop,
                        const Progress& progress) {
-  const Database from = Database::open_read_only(database);
+  const Database from = Database::open_read_only(database, stop);
   check_new(to);
   WholeFile whole(to, Link::replaced);
   const std::filesystem::path draft = whole.named_draft();
   try {
     hold_one_state(from);
     copy_pages(from, to, draft, [&](double part) {
-      throw_if_interrupted();
+      stop.throw_if_due();
       if (progress) progress(part);
     });
     const auto copy = open_draft(draft);
-    end_when_interrupted(*copy);
+    end_when_due(*copy, from.stop());
     check_pages(database, *copy);
   } catch (const SQLite::Exception& error) {
     throw_copy_error(database, to, error);

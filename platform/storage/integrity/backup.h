@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -11,8 +13,9 @@ namespace lacuna {
 /// and checked page by page, and what runs ended with is held against its hashes (seal.h), so there is a sound backup
 /// or none. Of a file of an older version the copy is brought up to date. `progress` gets the part that is copied, 0 to
 /// 1. Returns the bytes of the new file. Throws `BadInput` where there is a file `to`, or none to copy,
-/// `DamagedDatabase` where the database is damaged, `Error` where the copy cannot be written, and `Interrupted`.
-std::uintmax_t back_up(const std::filesystem::path& database, const std::filesystem::path& to,
+/// `DamagedDatabase` where the database is damaged, `Error` where the copy cannot be written, and `Interrupted` when
+/// `stop` is due.
+std::uintmax_t back_up(const std::filesystem::path& database, const std::filesystem::path& to, const Stop& stop = {},
                        const std::function<void(double)>& progress = {});
 
 /// The same for a database that its writer passes on: the copy replaces a file `to`, its reader checks the hashes, and

@@ -15,7 +15,7 @@ RowHash::RowHash(const Database& database, const TableOfRuns& table, const std::
                                  rows_of_run(table), fmt::join(key, ", "))
                          .c_str()) {}
 
-HashedRows RowHash::of(RunId run, void (*between)()) {
+HashedRows RowHash::of(RunId run, const Stop& stop) {
   constexpr std::size_t kBlock = 1U << 20U;
   owner_ == RowOwner::key ? row_.with(key_base(run), last_key(run)) : row_.with(run);
   HashedRows content;
@@ -26,7 +26,7 @@ HashedRows RowHash::of(RunId run, void (*between)()) {
     ++content.rows;
     for (int column = 0; column < row_.columns(); ++column) row_.append_bits(column, bytes);
     if (bytes.size() < kBlock) continue;
-    between();
+    stop.throw_if_requested();
     hash.add(bytes);
     bytes.clear();
   } while (row_.step());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "storage/integrity/run_rows.h"
 #include "storage/core/statement.h"
 
@@ -23,8 +24,8 @@ class RowHash {
   RowHash(const Database& database, const TableOfRuns& table, const std::vector<std::string>& columns,
           const std::vector<std::string>& key);
 
-  /// `between`: called now and then; it may throw.
-  HashedRows of(RunId run, void (*between)());
+  /// Throws `Interrupted` where a request of `stop` was made.
+  HashedRows of(RunId run, const Stop& stop);
 
  private:
   RowOwner owner_;

@@ -1,6 +1,6 @@
 #include "storage/integrity/seal.h"
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/text/json_depth.h"
 #include "storage/integrity/row_hash.h"
 #include "storage/integrity/run_rows.h"
@@ -17,9 +17,6 @@
 
 namespace lacuna {
 namespace {
-
-/// Interrupted runs are sealed too.
-void come_to_the_end() {}
 
 struct Seal {
   std::vector<std::string> columns;
@@ -52,8 +49,7 @@ std::optional<std::string> fault_of(const Database& database, RunId run, const T
   };
   if (seal && (seal->columns.empty() || !std::all_of(seal->columns.begin(), seal->columns.end(), is_known)))
     return "its hash is damaged";
-  const HashedRows content =
-      RowHash(database, table, seal ? seal->columns : now.all, now.key).of(run, throw_if_asked_to_stop);
+  const HashedRows content = RowHash(database, table, seal ? seal->columns : now.all, now.key).of(run, database.stop());
   const std::int64_t sealed = seal ? seal->content.rows : 0;
   if (content.rows != sealed) return fmt::format("{} rows instead of {}", content.rows, sealed);
   if (seal && content.sha256 != seal->content.sha256) return "different content";
@@ -95,7 +91,7 @@ void Sealer::seal(RunId run) {
   unseal_run(database_, run);
   Statement insert(database_, "INSERT INTO seal (run, part, columns, rows, sha256) VALUES (?, ?, ?, ?, ?)");
   for (const auto& part : parts_) {
-    const HashedRows content = part->rows.of(run, come_to_the_end);
+    const HashedRows content = part->rows.of(run, {});  // interrupted runs are sealed too
     if (content.rows > 0) insert.run_with(run, part->name, part->columns, content.rows, content.sha256);
   }
 }

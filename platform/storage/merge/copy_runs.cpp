@@ -1,6 +1,5 @@
 #include "storage/merge/copy_runs.h"
 
-#include "foundation/processes/interrupt.h"
 #include "storage/integrity/run_rows.h"
 #include "storage/integrity/seal.h"
 #include "storage/core/statement.h"
@@ -88,7 +87,7 @@ class TableCopy {
   void run() {
     constexpr int kRowsBetweenLooks = 10000;
     for (int count = 0; rows_.step(); ++count) {
-      if (count % kRowsBetweenLooks == 0) throw_if_interrupted();
+      if (count % kRowsBetweenLooks == 0) shard_.stop().throw_if_due();
       if (!is_to_be_copied() || is_measured_already()) continue;
       insert_.begin_again();
       give_row();

@@ -1,6 +1,6 @@
 #include "storage/merge/merge.h"
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/text/plain_text.h"
 #include "foundation/text/problem.h"
 #include "storage/core/one_state.h"
@@ -160,13 +160,13 @@ struct Known {
 };
 
 /// Reports every problem of a shard. If there is none, adds its contents to the known ones.
-MergedShard looked_at(const std::filesystem::path& file, Known& known) {
+MergedShard looked_at(const std::filesystem::path& file, const Stop& stop, Known& known) {
   ProblemList problems;
   MergedShard looked;
   Known with = known;
   try {
     const LogLeft log(file);
-    const Database shard = Database::open_read_only(file);
+    const Database shard = Database::open_read_only(file, stop);
     hold_one_state(shard);
     check_schema(shard, problems);
     check_references(shard, problems);
@@ -196,7 +196,7 @@ std::vector<MergedShard> looked_at(const Database& into, const std::vector<Shard
   check_plugins(into, known.plugins, nullptr);
   std::vector<MergedShard> all;
   all.reserve(shards.size());
-  for (const Shard& shard : shards) all.push_back(looked_at(shard.file, known));
+  for (const Shard& shard : shards) all.push_back(looked_at(shard.file, into.stop(), known));
   return all;
 }
 
@@ -211,7 +211,7 @@ void throw_problems(const std::vector<Shard>& shards, const std::vector<MergedSh
 
 void merge_one(Database& into, const std::filesystem::path& file, MergedShard& merged) {
   const LogLeft log(file);
-  const Database shard = Database::open_read_only(file);
+  const Database shard = Database::open_read_only(file, into.stop());
   hold_one_state(shard);
   ProblemList problems;
   check_known_runs(open_runs(into), shard, problems);  // it may be another file by now

@@ -37,8 +37,8 @@ void remove_copy(const std::filesystem::path* copy) {
 
 }  // namespace
 
-ReadableDatabase::ReadableDatabase(std::filesystem::path database, std::filesystem::path scratch)
-    : database_(std::move(database)), scratch_(std::move(scratch)) {}
+ReadableDatabase::ReadableDatabase(std::filesystem::path database, std::filesystem::path scratch, const Stop& stop)
+    : database_(std::move(database)), scratch_(std::move(scratch)), stop_(stop) {}
 
 std::shared_ptr<const std::filesystem::path> ReadableDatabase::file() {
   const std::lock_guard lock(looking_);
@@ -51,7 +51,7 @@ std::shared_ptr<const std::filesystem::path> ReadableDatabase::file() {
 }
 
 std::shared_ptr<const std::filesystem::path> ReadableDatabase::find() {
-  const Database database = Database::open_read_only(database_);
+  const Database database = Database::open_read_only(database_, stop_);
   if (!is_temporary(database)) return std::make_shared<const std::filesystem::path>(database_);
   const std::filesystem::path copy = scratch_ / fmt::format("version-{}.db", ++copies_);
   write_copy(database, copy);

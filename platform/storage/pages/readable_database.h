@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
+
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -12,7 +14,7 @@ namespace lacuna {
 class ReadableDatabase {
  public:
   /// Copies are made in the folder `scratch` and go with the last who reads them.
-  ReadableDatabase(std::filesystem::path database, std::filesystem::path scratch);
+  ReadableDatabase(std::filesystem::path database, std::filesystem::path scratch, const Stop& stop = {});
 
   /// Where it can be read now. Throws as `Database::open_read_only` does.
   std::shared_ptr<const std::filesystem::path> file();  // shared: by questions under way
@@ -20,6 +22,7 @@ class ReadableDatabase {
  private:
   std::shared_ptr<const std::filesystem::path> find();
   const std::filesystem::path database_, scratch_;
+  const Stop stop_;
   std::mutex looking_;
   std::string stamp_;
   std::shared_ptr<const std::filesystem::path> file_;

@@ -81,11 +81,11 @@ bool fill(sqlite3_stmt* statement, const PageQuery& query, PageTable& table) {
 }  // namespace
 
 PageTable ask_for_page(const std::filesystem::path& database_file, const std::filesystem::path& pages,
-                       const PageQuery& query) {
-  Database database = Database::open_read_only(database_file);
+                       const PageQuery& query, const Stop& stop) {
+  Database database = Database::open_read_only(database_file, stop);
   const TraceSamples traces(database);
   add_pages(database, pages);
-  const ReadingOnly reading(database.handle(), query.longest);
+  const ReadingOnly reading(database.handle(), stop, query.longest);
   PageTable table;
   for_each_statement(database, query.sql, reading, [&](sqlite3_stmt* statement) {
     const int wanted = std::min(sqlite3_bind_parameter_count(statement), static_cast<int>(query.values.size()));

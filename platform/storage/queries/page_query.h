@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "storage/queries/query.h"
 
 #include <chrono>
@@ -37,7 +38,7 @@ struct PageTable {
 /// lives for one question, so that a file that is replaced is found. The samples of traces are rows of `samples`.
 /// Throws as `run_queries` does, and `BadInput` where there is no such database or the query takes too long.
 PageTable ask_for_page(const std::filesystem::path& database, const std::filesystem::path& pages,
-                       const PageQuery& query);
+                       const PageQuery& query, const Stop& stop = {});
 
 /// Changes whenever the database does: with each commit, and when another file takes its place. Cheap; nothing is
 /// opened. Empty: there is no such file.

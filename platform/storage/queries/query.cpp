@@ -1,6 +1,5 @@
 #include "storage/queries/query.h"
 
-#include "foundation/processes/interrupt.h"
 #include "foundation/text/problem.h"
 #include "storage/core/reading_only.h"
 #include "storage/core/storage_error.h"
@@ -131,7 +130,7 @@ void for_each_statement(const Database& database, const std::string& sql, const 
   const char* const text = sql.c_str();
   bool any = false;
   for (const char* rest = text; *rest != '\0';) {
-    throw_if_interrupted();
+    reading.stop().throw_if_due();
     const auto start = static_cast<std::size_t>(rest - text);
     sqlite3_stmt* prepared = nullptr;
     if (sqlite3_prepare_v2(database.handle(), rest, -1, &prepared, &rest) != SQLITE_OK)
@@ -147,7 +146,7 @@ void for_each_statement(const Database& database, const std::string& sql, const 
 
 void run_queries(const Database& database, const std::string& sql, QueryOutput& output) {
   const TraceSamples traces(database);
-  const ReadingOnly reading(database.handle());
+  const ReadingOnly reading(database.handle(), database.stop());
   for_each_statement(database, sql, reading, [&](sqlite3_stmt* statement) { return run_one(statement, output); });
 }
 

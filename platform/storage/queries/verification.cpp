@@ -1,6 +1,6 @@
 #include "storage/queries/verification.h"
 
-#include "foundation/processes/interrupt.h"
+#include "foundation/processes/stop.h"
 #include "foundation/text/counted.h"
 #include "storage/core/one_state.h"
 #include "storage/core/schema_check.h"
@@ -38,7 +38,7 @@ void check_traces(const Database& database, std::vector<std::string>& damage) {
   Statement all(database, "SELECT id FROM trace ORDER BY id");
   while (all.step()) traces.push_back(TraceId{all.integer(0)});
   for (const TraceId trace : traces) {
-    throw_if_asked_to_stop();
+    database.stop().throw_if_requested();
     try {
       read_trace(database, trace);
     } catch (const Error& error) {
