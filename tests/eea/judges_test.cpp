@@ -38,7 +38,7 @@ TEST(Judges, KnowTheNoiseOfEachChannel) {
   const auto opened = small_bench({"exploration.fitness=model_disagreement", "estimation.sensors=['sensor.angle*']",
                                    "target.noise.'sensor.angle_front_left'=0.02"});
   const EeaState state = after_first_pass(*opened);
-  const Judges judges(opened->definition(), 1, state);
+  const Judges judges(opened->definition(), {1}, state);
   std::vector<TestPrediction> predictions(judges.size());
   std::uint64_t steps = 0;
   std::string reason;
@@ -63,7 +63,7 @@ TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
   const auto opened = small_bench({"exploration.fitness=model_disagreement",
                                    "exploration.fitness_parameters={refit=1,noise=0.1}", "test.duration=0.1"});
   const EeaState state = after_first_pass(*opened);
-  const Judges judges(opened->definition(), 1, state);
+  const Judges judges(opened->definition(), {1}, state);
   std::vector<TestPrediction> predictions(judges.size());
   std::uint64_t steps = 0;
   std::string reason;

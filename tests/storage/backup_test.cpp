@@ -47,7 +47,7 @@ class BackupTest : public testing::Test {
 TEST_F(BackupTest, HoldsWhatTheDatabaseHeldAndNothingElseIsLeft) {
   fill(20);
   double last = 0.0;
-  const std::uintmax_t bytes = back_up(file(), copy(), [&](double part) { last = part; });
+  const std::uintmax_t bytes = back_up(file(), copy(), {}, [&](double part) { last = part; });
   EXPECT_EQ(bytes, std::filesystem::file_size(copy()));
   EXPECT_EQ(last, 1.0);
   EXPECT_THAT(other_files(), ElementsAre("copy.db"));

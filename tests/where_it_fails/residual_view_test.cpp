@@ -45,7 +45,7 @@ struct Viewed {
     score.floor = floor;
     trial.channels.push_back(score);
   }
-  ResidualView view() const { return free_run_view(wheel(), comparison, table, 1); }
+  ResidualView view() const { return free_run_view(wheel(), comparison, table, {1}); }
 };
 
 TEST(ChannelsOfComparison, AreThoseOfTheFitTrialsOnce) {
@@ -124,7 +124,7 @@ TEST(FreeRunView, DoesNotAskATouchSensorForItsContact) {
   viewed.table.features[0].kind = FeatureKind::contact;
   viewed.add("angle", 1e-3, [&](double x) { return 2.0 * x + viewed.sign(); });
   EXPECT_TRUE(viewed.view().depends(0, 0));
-  EXPECT_FALSE(free_run_view(robot, viewed.comparison, viewed.table, 1).depends(0, 0));
+  EXPECT_FALSE(free_run_view(robot, viewed.comparison, viewed.table, {1}).depends(0, 0));
 }
 
 TEST(AccelerationView, HasNoChannelsWhereNoMotionIsMeasured) {
@@ -132,7 +132,7 @@ TEST(AccelerationView, HasNoChannelsWhereNoMotionIsMeasured) {
   robot.sensors[0].kind = SensorKind::joint_force;
   Viewed viewed;
   viewed.add("angle", 1e-3, [&](double) { return viewed.sign(); });
-  EXPECT_TRUE(acceleration_view(robot, viewed.comparison, viewed.table, 1).channels.empty());
+  EXPECT_TRUE(acceleration_view(robot, viewed.comparison, viewed.table, {1}).channels.empty());
 }
 
 }  // namespace
