@@ -39,12 +39,13 @@ class ProposeTest : public testing::Test {
 
   std::optional<NextTest> proposed(const FittedRival& one, const FittedRival& other, const std::vector<Trial>& trials,
                                    const ConditionsAt& conditions_at = conditions) const {
-    return propose_test(built_catalog(), rigid_.experiment, one, other, trials, conditions_at, 1, 1);
+    return propose_test(built_catalog(), rigid_.experiment, one, other, trials, conditions_at, 1, work_);
   }
   std::optional<NextTest> proposed(const std::vector<Trial>& trials) const {
     return proposed(fitted("rigid", rigid_), fitted("sprung", sprung_), trials);
   }
 
+  Work work_ = {1};
   Pendulum rigid_{""}, sprung_{R"({ effect = "joint_spring", where = "joint.hinge", start = { stiffness = 0.2 } })"};
 };
 
@@ -115,9 +116,9 @@ TEST_F(ProposeTest, LetsTheTimestampOffsetExplainADifferenceOnlyWhereItWasFitted
 }
 
 TEST_F(ProposeTest, EndsWhereItsTimeIsUp) {
-  begin_time_limit(0.0, "0 s");
+  TimeLimit limit(0.0, "0 s");
+  work_.stop = Stop(limit);
   EXPECT_THROW(proposed({commanded(1.0, -0.1, 0.1)}), TimeIsUp);
-  lift_time_limit();
 }
 
 /// The rivals differ in the weight of one of two setups alone; each setup more is worth eight tests more.
@@ -133,7 +134,7 @@ TEST(ProposeTestInSetups, TriesTheSetupsOfTheRecordings) {
       [](double) {
         return TestConditions{{}, {}, {{"angle", "rad", kRivalNoise, "declared"}}};
       },
-      1, 1);
+      1, {1});
   ASSERT_TRUE(test && test->setup);
   EXPECT_EQ(test->setup->name(), "steps");
   EXPECT_EQ(test->evaluations, 24 + 8);

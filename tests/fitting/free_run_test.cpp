@@ -72,7 +72,7 @@ TEST(EffectOfStart, IsNothingWhereTheStartIsGiven) {
   Released joint;
   Trial trial = joint.made.predictor.trials()[0];
   trial.initial = {{InitialKnowledge::given, 0.3, -0.2}};
-  const TrialPredictor predictor(*joint.made.model, {trial}, 1);
+  const TrialPredictor predictor(*joint.made.model, {trial}, {1});
   const StartStates states(one_joint_robot(), predictor, joint.made.noise);
   const FreeRun run = free_run(predictor, states, 0, std::vector{1.0}, 0);
   EXPECT_EQ(run.first_scored, 0);
@@ -92,7 +92,7 @@ TEST(FreeRunOf, RestartsEverySecondWhereErrorsGrowWithoutBound) {
         0.2 * (commands.series.times.array() * (2.0 + static_cast<double>(joint))).sin();
   const std::vector<double> rest(3, 0.0);
   const TrialPredictor predictor(*model, {record(*model, {}, commands.series.times, commands, {rest, rest}, kNoise, 1)},
-                                 1);
+                                 {1});
   const std::vector<ChannelNoise> noise = sensor_noise(robot, predictor.trials());
   const FreeRun run = free_run(predictor, StartStates(robot, predictor, noise), 0, {}, 0);
   ASSERT_EQ(run.pieces.size(), 4U);

@@ -17,7 +17,7 @@ constexpr double kFrequency = 6.0;  // rad/s
 
 /// Of a flywheel whose spring is fitted to one recording of `all`.
 IntegrationBias bias_of(const ModelDefinition& definition, const std::vector<Trial>& trials, std::size_t all = 1) {
-  return {definition, {}, trials, all, {definition.free[0].start}, 16, 1};
+  return {definition, {}, trials, all, {definition.free[0].start}, 16, {1}};
 }
 
 /// The engine is of second order: half the step, a quarter of the error.
@@ -38,7 +38,7 @@ TEST(IntegrationBias, FallsWithTheSquareOfTheStep) {
 double textbook_error(const ModelDefinition& definition, const Trial& trial) {
   constexpr double kSlight = 0.01;  // N·m/rad
   const std::unique_ptr<CompiledModel> model = compiled(definition, 64);
-  const TrialPredictor predictor(*model, {trial}, 1);
+  const TrialPredictor predictor(*model, {trial}, {1});
   const auto readings = [&](double stiffness) {
     Prediction prediction;
     predictor.predict(predictor.whole(0), std::vector{stiffness}, {{kStart}, {0.0}}, 0, prediction);

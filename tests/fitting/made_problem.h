@@ -19,7 +19,7 @@ struct MadeProblem {
               double length = 0.0, int workers = 1)
       : model(std::move(made)),
         definition(std::move(of)),
-        predictor(*model, trials, workers),
+        predictor(*model, trials, {workers}),
         noise(sensor_noise(definition.structure.robot, trials)),
         states(definition.structure.robot, predictor, noise),
         space(definition.free),

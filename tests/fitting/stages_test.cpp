@@ -17,7 +17,7 @@ using testing::ThrowsMessage;
 /// The stages of a fit to a spring's recording of `duration` s.
 struct Planned {
   explicit Planned(const FitSection& options, double duration = 5.0, const RobotSpec& robot = one_joint_robot())
-      : predictor(model, {spring_trial(kNoise, 1, duration)}, 1),
+      : predictor(model, {spring_trial(kNoise, 1, duration)}, {1}),
         states(robot, predictor, {{"angle", "rad", kNoise, ""}}) {
     for (const PlannedStage& stage : plan_stages(options, predictor, states, notes)) {
       names.push_back(stage.name);
@@ -85,7 +85,7 @@ TEST(PlanStages, RefuseWhatIsNoMethodOrHorizon) {
 double horizon_of(double damping, double growth = kTolerableGrowth) {
   const OneJointModel model([](std::span<const double> p, double, double v, double) { return -p[0] * v; });
   const Trial trial = record(model, {damping}, regular_times(1001, 200.0), {}, {{0.3}, {0.5}}, kNoise, 2);
-  const TrialPredictor predictor(model, {trial}, 1);
+  const TrialPredictor predictor(model, {trial}, {1});
   const StartStates states(one_joint_robot(), predictor, {{"angle", "rad", kNoise, ""}});
   return automatic_horizon(predictor, states, {damping}, kHead, growth);
 }

@@ -30,7 +30,7 @@ class SimulatedCost {
   }
 
   double of(const Hypothesis& hypothesis, const NamedValues& values) const {
-    const ModelContext context(hypothesis.definition, *hypothesis.model, data_.task().trials, data_.timing(), 1,
+    const ModelContext context(hypothesis.definition, *hypothesis.model, data_.task().trials, data_.timing(), {1},
                                kCommandsMayAct);
     LadderPredictions predictions(ladder_, context.predictor(), context.space(), data_.starts());
     const Eigen::VectorXd at = context.space().to_coordinates(all_values(hypothesis, values));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/processes/stop.h"
 #include "storage/core/records.h"
 
 #include <filesystem>
