@@ -21,7 +21,7 @@ Ranges ranges_of(const FreeValue& value, double start) {
 }
 
 FreeValue torque(double lower, double upper, Scale scale = Scale::linear) {
-  return {.address = "effect.friction.torque", .unit = "N*m", .lower = lower, .upper = upper, .scale = scale};
+  return {{.address = "effect.friction.torque", .unit = "N*m", .lower = lower, .upper = upper, .scale = scale}};
 }
 
 TEST(SearchRange, HoldsTenTimesWhatWasFound) {
