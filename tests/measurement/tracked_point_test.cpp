@@ -55,7 +55,7 @@ TEST_F(TrackedPoints, GoOnFromTurnToTurn) {
 TEST_F(TrackedPoints, GiveAChannelInMetresTheDistance) {
   RecordingSource distance = source(track_of(tracked_swing));
   distance.sensors[0].channel = "length";
-  const Recording recording = read_recording(distance, {{"length", "m"}}, {}, {});
+  const Recording recording = read_recording(distance, std::vector<Channel>{{"length", "m"}}, {});
   EXPECT_NEAR(recording.trials.at(0).measured.samples(40, 0), kRadius, 1e-5);
 }
 
