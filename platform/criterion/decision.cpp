@@ -28,19 +28,15 @@ class Decider {
  public:
   Decider(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed)
       : sets_(sets), looked_(looked), seed_(seed) {
-    for (std::size_t i = 1; i < sets.size(); ++i) {
-      every_.push_back(i);
-      if (sets[i].idle.size() < sets[i].members.size()) possible_.push_back(i);
-    }
+    for (std::size_t i = 1; i < sets.size(); ++i) every_.push_back(i);
   }
 
   Decision decide() {
     Decision decision;
     if (every_.empty()) return decision;
-    decision.p = probability(every_, 0);
-    if (possible_.empty()) return decision;
-    const std::size_t top = best(possible_, 0);
+    const std::size_t top = best(every_, 0);
     decision.whole_gain = gain_of(sets_[top], sets_[0]).nats;
+    decision.p = probability(every_, 0);
     if (!passes(top, 0, decision.p)) return decision;
     const CandidateSet& largest = sets_[grown()];
     const int most = std::max(largest.told, static_cast<int>(largest.members.size()));
@@ -64,14 +60,14 @@ class Decider {
  private:
   std::vector<std::size_t> of_size(std::size_t members) const {
     std::vector<std::size_t> found;
-    for (const std::size_t i : possible_)
+    for (const std::size_t i : every_)
       if (sets_[i].members.size() == members) found.push_back(i);
     return found;
   }
 
   std::vector<std::size_t> of_at_most_told(int values) const {
     std::vector<std::size_t> found;
-    for (const std::size_t i : possible_)
+    for (const std::size_t i : every_)
       if (sets_[i].told <= values) found.push_back(i);
     return found;
   }
@@ -98,7 +94,7 @@ class Decider {
   /// The largest set each of whose steps in size passes, from the best single effect on.
   std::size_t grown() const {
     const std::vector<std::size_t> singles = of_size(1);
-    if (singles.empty()) return best(possible_, 0);
+    if (singles.empty()) return best(every_, 0);
     std::size_t current = best(singles, 0);
     for (std::size_t size = 2; size <= kMostMembers; ++size) {
       const std::vector<std::size_t> sets = of_size(size);
@@ -127,8 +123,8 @@ class Decider {
     const auto worth = [&](std::size_t i) {
       return gain_of(sets_[i], sets_[0]).nats - kPriceOfAValue * whole_gain * sets_[i].told;
     };
-    std::size_t found = possible_.front();
-    for (const std::size_t i : possible_)
+    std::size_t found = every_.front();
+    for (const std::size_t i : every_)
       if (sets_[i].told <= most_told && (sets_[found].told > most_told || worth(i) > worth(found))) found = i;
     return found;
   }
@@ -137,7 +133,7 @@ class Decider {
   /// the best of them.
   std::vector<std::size_t> simplest_like(std::size_t set, int most_told, double whole_gain) const {
     std::size_t found = set;
-    for (const std::size_t i : possible_) {
+    for (const std::size_t i : every_) {
       if (sets_[i].told > most_told || gain_of(sets_[set], sets_[i]).nats > kAsGood * whole_gain) continue;
       const bool is_better = sets_[i].told == sets_[found].told && sets_[i].cost.cost < sets_[found].cost.cost;
       if (sets_[i].told < sets_[found].told || is_better) found = i;
@@ -147,9 +143,9 @@ class Decider {
 
   std::vector<std::size_t> as_good_of_as_many_values(std::size_t set, double whole_gain) const {
     std::vector<std::size_t> found;
-    for (const std::size_t i : possible_)
+    for (const std::size_t i : every_)
       if (sets_[i].told == sets_[set].told && is_as_good(i, set, whole_gain)) found.push_back(i);
-    const auto all_act = [&](std::size_t i) { return sets_[i].idle.empty(); };
+    const auto all_act = [&](std::size_t i) { return sets_[i].idle.empty() || sets_[i].members.size() == 1; };
     if (std::any_of(found.begin(), found.end(), all_act)) std::erase_if(found, std::not_fn(all_act));
     return found;
   }
@@ -166,7 +162,7 @@ class Decider {
   /// or takes little; the set itself where there is none.
   std::size_t without_minor_effects(std::size_t set, double whole_gain) const {
     std::size_t found = set;
-    for (const std::size_t i : possible_) {
+    for (const std::size_t i : every_) {
       const bool is_part = sets_[i].members.size() < sets_[set].members.size() && holds(set, i);
       const bool lacks_little = lacks_idle_alone(i, set) && gain_of(sets_[i], sets_[0]).is_told();
       if (!is_part || !(lacks_little || is_minor(sets_[set], sets_[i], sets_[0], whole_gain))) continue;
@@ -189,7 +185,7 @@ class Decider {
   const std::vector<CandidateSet>& sets_;
   const std::vector<LookedBeside>& looked_;
   const std::uint64_t seed_;
-  std::vector<std::size_t> every_, possible_;  ///< sets with members; of these, those with one that acts
+  std::vector<std::size_t> every_;
 };
 
 }  // namespace

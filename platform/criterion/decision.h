@@ -62,15 +62,15 @@ struct Decision {
   double whole_gain = 0.0;     ///< nats, the largest of any set
 };
 
-/// `sets`: the model as it is first; one all of whose effects may do nothing is no answer. Something is present where
-/// the signs of the gains of all sets, and of all that was looked at, say so at 5 %, the best gains more than its
-/// error, at more than one length, and lowers the error by a twentieth at one. A set of one more effect must pass the
-/// same against the best smaller one. Of the sets of at most as many told values that one is looked for which gains
-/// most once every told value is paid for; then, of those that gain as much but for a twentieth, the best of the fewest
-/// told values. The answer is its part without effects that may do nothing, or that take less than a fifth of the error
-/// and two fifths of the gain, unless errors are at the noise by them alone; where it has none, of others as good,
-/// within a twentieth of the gain or one standard error, with as many told values, the one of fewest values in all,
-/// then of fewest members, then of fewest effects: friction in three joints is one thing.
+/// `sets`: the model as it is first. Something is present where the signs of the gains of all sets, and of all that was
+/// looked at, say so at 5 %, the best gains more than its error, at more than one length, and lowers the error by a
+/// twentieth at one. A set of one more effect must pass the same against the best smaller one. Of the sets of at most
+/// as many told values that one is looked for which gains most once every told value is paid for; then, of those that
+/// gain as much but for a twentieth, the best of the fewest told values. The answer is its part without effects that
+/// may do nothing, or that take less than a fifth of the error and two fifths of the gain, unless errors are at the
+/// noise by them alone; where it has none, of others as good, within a twentieth of the gain or one standard error,
+/// with as many told values, the one of fewest values in all, then of fewest members, then of fewest effects: friction
+/// in three joints is one thing.
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed);
 
 }  // namespace lacuna

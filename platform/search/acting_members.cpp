@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -42,42 +43,56 @@ Eigen::VectorXd standard_errors(const FittedModel& set, const CellLayout& layout
   return value_errors(layout, set.fit.products, least_cost(layout, set.fit.products, set.fit.bounds)).standard();
 }
 
-bool acts_within(const Eigen::VectorXd& errors, const EffectEntry& member, const FittedModel& set,
-                 const EffectLook& look) {
+/// A size of an effect in a fitted set, in the coordinate of its value.
+struct FittedSize {
+  double way = 0.0;    ///< from the value at which the effect does nothing
+  double error = 0.0;  ///< standard error; 0: the data do not tell the value
+
+  bool is_told() const { return error > 0.0 && std::abs(way) > kWithin95 * error; }
+  bool may_be_nothing() const { return way == 0.0 || (error > 0.0 && !is_told()); }
+};
+
+bool is_placed_for(const EffectEntry& entry, const Hypothesis& hypothesis) {
+  return std::any_of(hypothesis.placed.begin(), hypothesis.placed.end(),
+                     [&](const EffectEntry& one) { return member_name(one) == member_name(entry); });
+}
+
+/// Of a member, at all its places.
+std::vector<FittedSize> fitted_sizes(const EffectEntry& member, const Eigen::VectorXd& errors, const FittedModel& set,
+                                     const EffectLook& look) {
+  std::vector<FittedSize> fitted;
   const Hypothesis* hypothesis = hypothesis_of(member, look);
-  if (!hypothesis) return true;
+  if (!hypothesis) return fitted;
   const std::set<std::string> sizes = sizes_of(member.effect, look);
   const std::vector<FreeValue>& free = set.model.definition.free;
   const ParameterSpace space(free);
-  const std::vector<EffectEntry>& placed = set.model.placed;
-  const auto is_own = [&](const FreeValue& value) {
-    return std::any_of(placed.begin(), placed.end(), [&](const EffectEntry& entry) {
-      const bool is_part = std::any_of(hypothesis->placed.begin(), hypothesis->placed.end(),
-                                       [&](const auto& one) { return member_name(one) == member_name(entry); });
-      return is_part && belongs_to(value, entry);
-    });
-  };
   for (std::size_t i = 0; i < free.size(); ++i) {
     const std::string name = last_name(free[i].address);
-    if (!is_own(free[i]) || (!sizes.empty() && !sizes.contains(name))) continue;
+    const bool is_own = std::any_of(set.model.placed.begin(), set.model.placed.end(), [&](const EffectEntry& entry) {
+      return is_placed_for(entry, *hypothesis) && belongs_to(free[i], entry);
+    });
+    if (!is_own || (!sizes.empty() && !sizes.contains(name))) continue;
     const auto j = static_cast<Eigen::Index>(i);
-    const double way = set.fit.point.values(j) - space.to_coordinate(j, neutral_of(*hypothesis, name));
-    if (errors(j) > 0.0 && std::abs(way) > kWithin95 * errors(j)) return true;
+    fitted.push_back({set.fit.point.values(j) - space.to_coordinate(j, neutral_of(*hypothesis, name)), errors(j)});
   }
-  return false;
+  return fitted;
 }
 
 }  // namespace
 
 bool acts(const EffectEntry& member, const FittedModel& set, const CellLayout& layout, const EffectLook& look) {
-  return acts_within(standard_errors(set, layout), member, set, look);
+  const std::vector<FittedSize> sizes = fitted_sizes(member, standard_errors(set, layout), set, look);
+  return std::any_of(sizes.begin(), sizes.end(), [](const FittedSize& size) { return size.is_told(); });
 }
 
 std::set<std::string> idle_members(const FittedModel& set, const CellLayout& layout, const EffectLook& look) {
   const Eigen::VectorXd errors = standard_errors(set, layout);
   std::set<std::string> idle;
-  for (const EffectEntry& member : set.model.added)
-    if (!acts_within(errors, member, set, look)) idle.insert(member_name(member));
+  for (const EffectEntry& member : set.model.added) {
+    const std::vector<FittedSize> sizes = fitted_sizes(member, errors, set, look);
+    const auto may_be_nothing = [](const FittedSize& size) { return size.may_be_nothing(); };
+    if (!sizes.empty() && std::all_of(sizes.begin(), sizes.end(), may_be_nothing)) idle.insert(member_name(member));
+  }
   return idle;
 }
 

@@ -13,7 +13,8 @@ namespace lacuna {
 /// themselves; a period or a rest position is none.
 bool acts(const EffectEntry& member, const FittedModel& set, const CellLayout& layout, const EffectLook& look);
 
-/// The members that may do nothing, "effect @ place".
+/// The members that may do nothing, "effect @ place": the intervals of all their sizes include that value. One whose
+/// value the data do not tell at all, as that of a friction that holds a joint at rest, is none of them.
 std::set<std::string> idle_members(const FittedModel& set, const CellLayout& layout, const EffectLook& look);
 
 }  // namespace lacuna
