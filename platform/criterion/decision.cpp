@@ -145,7 +145,7 @@ class Decider {
     std::vector<std::size_t> found;
     for (const std::size_t i : every_)
       if (sets_[i].told == sets_[set].told && is_as_good(i, set, whole_gain)) found.push_back(i);
-    const auto all_act = [&](std::size_t i) { return sets_[i].idle.empty() || sets_[i].members.size() == 1; };
+    const auto all_act = [&](std::size_t i) { return sets_[i].idle.empty(); };
     if (std::any_of(found.begin(), found.end(), all_act)) std::erase_if(found, std::not_fn(all_act));
     return found;
   }
