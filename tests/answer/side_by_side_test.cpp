@@ -79,7 +79,7 @@ TEST_F(SideBySideTest, EachDiagnosisHasItsOwnTimeLimitAndTheAnswerThatItHasAlone
   ASSERT_FALSE(alone.stopped);
   ASSERT_EQ(alone.verdict, Verdict::effect_found);
 
-  TimeLimit shorter(1e-3 * static_cast<double>(all / 2), "half", clock_of_the_limited), longer(kNever, "never");
+  TimeLimit shorter(1e-3 * 0.5 * static_cast<double>(all), "half", clock_of_the_limited), longer(kNever, "never");
   Diagnosis limited, unlimited;
   {
     const std::jthread one([&] { limited = diagnosis(Stop(shorter)); });

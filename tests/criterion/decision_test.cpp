@@ -14,7 +14,7 @@ constexpr Eigen::Index kLengths = 3, kBlocks = 40;
 CandidateSet set_of(std::set<std::string> members, double gain, int told, std::uint64_t seed = 0) {
   std::mt19937_64 bits(seed);
   std::normal_distribution<double> normal(0.0, 0.02 / kBlocks);
-  CandidateSet set{std::move(members), told, told, {Eigen::MatrixXd(kLengths, kBlocks), 0.0}, {}};
+  CandidateSet set{std::move(members), told, told, {Eigen::MatrixXd(kLengths, kBlocks), 0.0}, {}, {}};
   for (Eigen::Index i = 0; i < kLengths; ++i)
     for (Eigen::Index j = 0; j < kBlocks; ++j)
       set.cost.by_length(i, j) = (2.0 - gain) / (kLengths * kBlocks) + (seed == 0 ? 0.0 : normal(bits));
