@@ -189,6 +189,23 @@ TEST(Mjcf, ReadsWhatItIncludes) {
   EXPECT_EQ(bad.problems[0].line, 2);
 }
 
+/// The squares of their lengths are no numbers.
+TEST(Mjcf, TakesDirectionsHoweverLongTheyAreWritten) {
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.0, 1.0, 1.0) / std::sqrt(2.0);
+  const ReadRobot made = read_mjcf(one_joint("<joint name=\"j\" axis=\"0 1e300 1e300\"/>", ""));
+  ASSERT_THAT(made.problems, IsEmpty());
+  EXPECT_TRUE(made.robot.joints.at(0).axis.isApprox(axis));
+  const double half = std::sqrt(0.5);
+  for (const char* turn : {"quat=\"1e300 0 1e300 0\"", "axisangle=\"0 1e300 0 90\"", "zaxis=\"1e300 0 0\"",
+                           "xyaxes=\"0 0 -1e300 0 1e300 1e300\""}) {
+    const ReadRobot turned = read_mjcf(mujoco("<worldbody><body name=\"a\" " + std::string(turn) +
+                                              "><joint/><geom type=\"sphere\" size=\"0.1\"/></body></worldbody>"));
+    ASSERT_THAT(turned.problems, IsEmpty()) << turn;
+    const Eigen::Quaterniond wanted(half, 0.0, half, 0.0);
+    EXPECT_LT(turned.robot.bodies.at(0).orientation.angularDistance(wanted), 1e-9) << turn;
+  }
+}
+
 TEST(Mjcf, TellsAllProblemsAtTheirLines) {
   const ReadRobot made = read_mjcf(
       "<mujoco>\n<worldbody>\n<body name=\"a\">\n<joint axis=\"0 0 0\"/>\n<geom size=\"nan\"/>\n"

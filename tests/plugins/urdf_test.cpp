@@ -265,6 +265,14 @@ TEST(Urdf, NamesElementsAsTheProgramCan) {
   EXPECT_TRUE(says(made, RobotRemarkKind::repaired, "\"arm.1\" gets the name arm_1"));
 }
 
+/// The square of its length is no number.
+TEST(Urdf, TakesTheDirectionOfAnAxisHoweverLongItIs) {
+  const ReadRobot made = read(robot(link("base") + link("arm", kUrdfInertial) +
+                                    joint("hinge", "continuous", "base", "arm", "<axis xyz=\"0 -1e308 1e308\"/>")));
+  ASSERT_THAT(made.problems, IsEmpty());
+  EXPECT_TRUE(made.robot.joints.at(0).axis.isApprox(Eigen::Vector3d(0.0, -1.0, 1.0) / std::sqrt(2.0)));
+}
+
 TEST(Urdf, TakesNothingForANumberThatIsNone) {
   const std::string comma = "<inertial><mass value=\"1,5\"/></inertial>";
   EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is not a number"));

@@ -55,12 +55,12 @@ std::size_t sizes_of(const std::string& type, bool from_to) {
 /// Between two points, along z.
 Pose between(const Attributes& geom, const std::vector<double>& ends, double& half) {
   const Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]), along = to - from;
-  half = 0.5 * along.norm();
+  half = 0.5 * along.stableNorm();
   Pose pose{0.5 * (from + to), Eigen::Quaterniond::Identity()};
   if (!(half > 0.0))
     geom.element().problem("fromto has the same point twice");
   else
-    pose.orientation = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along.normalized());
+    pose.orientation = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along.stableNormalized());
   return pose;
 }
 

@@ -55,8 +55,8 @@ Joint read_joint(const Attributes& element, const Settings& settings, File& file
   if (joint.kind == JointKind::free) return joint;
   joint.anchor = element.vector("pos", Eigen::Vector3d::Zero());
   joint.axis = element.vector("axis", Eigen::Vector3d::UnitZ());
-  if (joint.axis.norm() > 0.0)
-    joint.axis.normalize();
+  if (joint.axis.stableNorm() > 0.0)
+    joint.axis.stableNormalize();
   else
     element.element().problem("joint's axis \"0 0 0\" has no direction");
   if (joint.kind != JointKind::ball) joint.reference = coordinate(joint, element.number("ref", 0.0), settings);

@@ -79,7 +79,8 @@ Quaterniond of_euler(const Vector3d& angles, const Settings& settings) {
 
 Quaterniond of_axes(const XmlElement& element, const std::vector<double>& axes) {
   Vector3d x(axes[0], axes[1], axes[2]), y(axes[3], axes[4], axes[5]);
-  x.normalize();
+  x.stableNormalize();
+  y.stableNormalize();
   y -= x.dot(y) * x;
   if (!(x.norm() > 0.5) || y.norm() < kNoDirection) {
     element.problem("xyaxes has two parallel axes");
@@ -92,25 +93,26 @@ Quaterniond of_axes(const XmlElement& element, const std::vector<double>& axes) 
 }
 
 Quaterniond of_z(const XmlElement& element, const Vector3d& z) {
-  if (z.norm() < kNoDirection) {
+  if (z.stableNorm() < kNoDirection) {
     element.problem("zaxis has no direction");
     return Quaterniond::Identity();
   }
-  const Vector3d along = z.normalized(), across = Vector3d::UnitZ().cross(along);
+  const Vector3d along = z.stableNormalized(), across = Vector3d::UnitZ().cross(along);
   const Vector3d axis = across.norm() < kNoDirection ? Vector3d::UnitX() : Vector3d(across.normalized());
   return Quaterniond(AngleAxisd(std::atan2(across.norm(), along.z()), axis));
 }
 
 Quaterniond of_axis_angle(const XmlElement& element, const std::vector<double>& written, const Settings& settings) {
   const Vector3d axis(written[0], written[1], written[2]);
-  if (axis.norm() > kNoDirection) return Quaterniond(AngleAxisd(settings.angle(written[3]), axis.normalized()));
+  if (axis.stableNorm() > kNoDirection)
+    return Quaterniond(AngleAxisd(settings.angle(written[3]), axis.stableNormalized()));
   element.problem("axisangle's axis has no direction");
   return Quaterniond::Identity();
 }
 
 Quaterniond of_quaternion(const XmlElement& element, const std::vector<double>& written) {
-  const Quaterniond turn(written[0], written[1], written[2], written[3]);
-  if (turn.norm() > kNoDirection) return turn.normalized();
+  const Eigen::Vector4d turn(written[1], written[2], written[3], written[0]);  // x, y, z, w as Eigen keeps them
+  if (turn.stableNorm() > kNoDirection) return Quaterniond(turn.stableNormalized());
   element.problem("quat has length 0; write 1 0 0 0 for no rotation");
   return Quaterniond::Identity();
 }

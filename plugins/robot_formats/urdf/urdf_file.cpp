@@ -130,8 +130,8 @@ class FileReader {
   void read_motion(const XmlElement& element, Joint& joint) {
     if (const std::optional<XmlElement> axis = element.child("axis"))
       joint.axis = axis->vector("xyz", Eigen::Vector3d::UnitX());
-    if (joint.axis.norm() > 0.0)
-      joint.axis.normalize();
+    if (joint.axis.stableNorm() > 0.0)
+      joint.axis.stableNormalize();
     else
       element.problem("axis \"0 0 0\" has no direction");
     if (const std::optional<XmlElement> dynamics = element.child("dynamics")) {
