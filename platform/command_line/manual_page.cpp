@@ -67,7 +67,8 @@ std::string commands(const CommandFacts& command, const std::vector<CommandFacts
   return text;
 }
 
-constexpr const char* kExitCodes = "0 done, 1 failed, 2 bad input, 75 interrupted (run the command again).\n";
+constexpr const char* kExitCodes =
+    "0 done, 1 failed, 2 bad input, 75 interrupted: run the command again (lacuna run: with --resume).\n";
 
 }  // namespace
 

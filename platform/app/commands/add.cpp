@@ -278,8 +278,8 @@ void add_add_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   command
       ->add_option("effect", options->effect,
-                   "Name of the effect (see lacuna plugins list). The name wrong_value stands for a fixed value of the "
-                   "robot file, which --where names: it becomes a free value")
+                   "Name of the effect (see lacuna plugins list). To fit a fixed value of the "
+                   "robot file instead, write wrong_value and name the value with --where")
       ->option_text("NAME");
   command->add_flag("--answer", options->answer, "Add the effects that the last diagnosis of this model found");
   command

@@ -82,10 +82,11 @@ void add_check_command(CLI::App& program) {
   CLI::Option* reference =
       command
           ->add_option("--print-reference", options->reference,
-                       "Print a reference of the file's keys instead: " + joined(file_reference_names()))
+                       "Check nothing; print the reference of all keys of an experiment or robot file: " +
+                           joined(file_reference_names()))
           ->option_text("NAME")
           ->check(CLI::IsMember(file_reference_names()));
-  add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
+  add_result_option(*command, "json", options->json, "Write results as JSON to FILE (default: standard output)");
   CLI::Option* experiment = command->get_option("experiment");
   experiment->required(false)->excludes(reference);
   command->callback([options, experiment, reference] {

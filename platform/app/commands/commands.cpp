@@ -93,12 +93,17 @@ int complain(const std::exception& error, int code) {
   return code;
 }
 
-/// CLI11 prints what a flag stands for without its value, as in --json{}.
+/// CLI11 prints what a flag stands for without its value, as in --json{}, and what it excludes as if it were its value.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
     const std::string name = CLI::Formatter::make_option_name(option, is_positional);
     return name.substr(0, name.find('{'));
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string& text = option->get_option_text();
+    if (text.starts_with("[=") || option->get_items_expected_max() == 0) return text;
+    return CLI::Formatter::make_option_opts(option);
   }
 };
 
@@ -117,7 +122,9 @@ constexpr AddCommand kCommands[] = {
 void add_commands(CLI::App& program) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());
-  program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted (run the command again).");
+  program.footer(
+      "Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted: run the command again (lacuna "
+      "run: with --resume).");
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   for (const AddCommand add : kCommands) add(program);
 }

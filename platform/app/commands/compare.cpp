@@ -83,8 +83,10 @@ void add_compare_command(CLI::App& program) {
   add_work_options(*command, *options);
   add_time_limit_option(*command, *options);
   command->add_flag("--as-is", options->as_is, "Do not fit; use the values that are written in the files");
-  command->add_flag("--cross-check", options->cross_check,
-                    "Also predict with the second physics engine (ode or articulated) and print the difference");
+  command->add_flag(
+      "--cross-check", options->cross_check,
+      "Also predict with the other physics engine (ode: Open Dynamics Engine; articulated: Lacuna's own) and "
+      "print the difference");
   add_result_option(*command, "csv", options->csv, "Scores as CSV, to standard output or FILE");
   command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)")->option_text("FOLDER");
   command->callback([options] { run_compare(*options); });

@@ -13,8 +13,8 @@ namespace lacuna {
 
 void add_completion_command(CLI::App& program) {
   auto shell = std::make_shared<std::string>();  // shared: CLI11 keeps the callback, which must own it
-  CLI::App* command =
-      program.add_subcommand("completion", "Print the script that completes commands and options in a shell");
+  CLI::App* command = program.add_subcommand(
+      "completion", "Print a script for shell completion; load it with, for example, source <(lacuna completion bash)");
   command->add_option("shell", *shell, fmt::format("{}", fmt::join(completed_shells(), ", ")))
       ->required()
       ->option_text("SHELL");

@@ -108,11 +108,16 @@ void add_robot_options(CLI::App& command, ExportOptions& options) {
 void add_row_options(CLI::App& command, ExportOptions& options) {
   command
       .add_option("what", options.what,
-                  "With a database: a view, a table, or a trial (readings and prediction side by side)")
+                  "With a database: name of a view or table (lacuna sql --views), or of a trial, such as chirp.csv "
+                  "(readings and "
+                  "prediction side by side)")
       ->option_text("WHAT");
-  command.add_option("out", options.out, "With a database: the file to write (default: standard output)")
+  command
+      .add_option("out", options.out,
+                  "With a database: file to write; its ending selects the format unless an option does (default: "
+                  "standard output)")
       ->option_text("OUT");
-  add_result_option(command, "csv", options.csv, "As CSV, to standard output or FILE");
+  add_result_option(command, "csv", options.csv, "Write as CSV to FILE (default: standard output)");
   add_result_option(command, "npz", options.npz, "As NumPy arrays, one per column");
   add_result_option(command, "mcap", options.mcap, "A trial as MCAP, one topic per channel");
   for (const char* name : {"what", "out", "--csv", "--npz", "--mcap"}) command.get_option(name)->group(kOfDatabases);

@@ -85,7 +85,7 @@ void add_mcp_command(CLI::App& program) {
       ->add_option_function<std::string>(
           "--call-limit",
           [options](const std::string& text) { options->call_limit = parse_duration("--call-limit", text); },
-          "Time limit of one tool call (default: 1 h)")
+          "Time limit of one command that the agent calls: 600, \"1 h\" (default: 1 h)")
       ->option_text("DURATION");
   command->callback([&program, options] { run_mcp(*options, program); });
 }

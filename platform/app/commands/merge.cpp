@@ -154,6 +154,7 @@ void add_merge_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("merge", "Merge the runs of several databases, or of a plan's tasks, into one database");
   add_database_argument(*command, options->database);
+  command->get_option("database")->description("Database to write the merged runs into; made if it does not exist");
   command->add_option("shards", options->sources, "Databases, or folders of plans")
       ->required()
       ->option_text("SHARD...");

@@ -42,7 +42,7 @@ void add_plan_command(CLI::App& program) {
   command->add_option("experiments", options->experiments, "Experiment files (TOML)")
       ->required()
       ->option_text("FILE...");
-  command->add_option("--out", options->out, "New folder for the plan")->required()->option_text("FOLDER");
+  command->add_option("--out", options->out, "New folder for the plan (required)")->required()->option_text("FOLDER");
   command->add_flag_callback(
       "--diagnose", [options] { options->kind = TaskKind::diagnosis; },
       "Make each task a diagnosis (default: a replicate of a run)");

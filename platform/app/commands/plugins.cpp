@@ -31,7 +31,7 @@ struct PluginsOptions {
 
 void add_plugins_options(CLI::App& command, CommonOptions& options) {
   add_plugin_path_option(command, options);
-  add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
+  add_result_option(command, "json", options.json, "Write results as JSON to FILE (default: standard output)");
 }
 
 Json listing_json(const PluginListing& listing) {
@@ -107,13 +107,15 @@ void add_plugins_command(CLI::App& program) {
   CLI::App* plugins = program.add_subcommand("plugins", "List, show, check and write plugins");
   plugins->require_subcommand(1);
   auto options = std::make_shared<PluginsOptions>();  // shared: CLI11 keeps the callbacks, which must own the options
-  CLI::App* list = plugins->add_subcommand("list", "List every component of every plugin");
+  CLI::App* list = plugins->add_subcommand("list", "List all plugins: effects, metrics, formats and other kinds");
   list->add_option("--kind", options->kind, "Only components of this kind, such as effect")->option_text("KIND");
   list->add_flag("--verbose", options->verbose, "Also print the file of each");
   add_plugins_options(*list, options->common);
   list->callback([options] { list_plugins(*options); });
   CLI::App* show = plugins->add_subcommand("show", "Show a plugin's parameters and, for an effect, its equation");
-  show->add_option("name", options->name, "The plugin's name")->required()->option_text("NAME");
+  show->add_option("name", options->name, "Name of the plugin (see lacuna plugins list)")
+      ->required()
+      ->option_text("NAME");
   show->add_flag("--verbose", options->verbose, "Also print its file, digest and build");
   add_plugins_options(*show, options->common);
   show->callback([options] { show_plugin(*options); });

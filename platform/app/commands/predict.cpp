@@ -323,8 +323,8 @@ void add_predict_command(CLI::App& program) {
   add_work_options(*command, *options);
   add_test_options(*command, options->asked,
                    "Test to predict: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, or "
-                   "the number of a "
-                   "test of the run. With --fitted: also the name of a fit trial (default: all fit trials)");
+                   "the number of a test of the run. With --fitted: also the "
+                   "name of a fit trial; without --test, all fit trials are predicted");
   command->get_option("--test")->required(false);
   command->add_flag("--fitted", options->fitted, "Use the fitted model even if there are runs");
   command->add_option("--run", options->run, "Run (default: the experiment's newest)")->option_text("N");

@@ -122,7 +122,9 @@ void add_replay_command(CLI::App& program) {
       program.add_subcommand("replay", "Simulate a stored model again and compare its scores with the stored ones");
   add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "Run (required if there are several)")->option_text("N");
-  command->add_option("--model", options->model, "Number of the model in its run (default: the best of the last pass)")
+  command
+      ->add_option("--model", options->model,
+                   "Number of the model in its run (default: the best one at the end of the run)")
       ->option_text("N");
   command->add_option("--trial", options->trial, "Trial that --csv writes (default: the newest)")->option_text("N");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")

@@ -65,16 +65,17 @@ void make_report(const ReportOptions& options) {
 
 void add_report_command(CLI::App& program) {
   auto options = std::make_shared<ReportOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("report", "Write a database as one HTML page for any browser");
+  CLI::App* command = program.add_subcommand("report", "Write a database as one HTML file for any browser");
   add_database_argument(*command, options->database);
-  command->add_option("--out", options->out, "HTML file to write (default: standard output, unless it is a terminal)")
+  command->add_option("--out", options->out, "HTML file to write (required on a terminal; default: standard output)")
       ->option_text("FILE");
   command
       ->add_option("--most-megabytes", options->megabytes,
-                   "Maximum size of the HTML file (default: 50); a larger database is reduced to a selection")
+                   "Maximum size of the HTML file (default: 50); from a larger database it takes a selection, "
+                   "and the report says what is left out")
       ->option_text("MB")
       ->check(CLI::Range(1.0, 2000.0));
-  command->add_flag("--no-robots", options->no_robots, "Do not simulate robots for the page Replay");
+  command->add_flag("--no-robots", options->no_robots, "Leave the page Replay without simulated robots");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)
       ->option_text("FOLDER");

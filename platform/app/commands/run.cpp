@@ -29,7 +29,7 @@ void add_run_command(CLI::App& program) {
   command
       ->add_flag_callback(
           "--no-isolate", [options] { options->isolate = false; },
-          "Simulate models in this process, even with third-party plugins")
+          "Simulate models in this process, even with third-party plugins (not with --isolate)")
       ->excludes(isolate);
   CLI::Option* resume = command->add_flag("--resume", options->resume,
                                           "Continue this experiment's unfinished runs; if it has no run, begin one");

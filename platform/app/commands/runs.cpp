@@ -34,7 +34,7 @@ void add_runs_command(CLI::App& program) {
   auto options = std::make_shared<RunsOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("runs", "List the runs of a database");
   add_database_argument(*command, options->database);
-  add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
+  add_result_option(*command, "json", options->json, "Write results as JSON to FILE (default: standard output)");
   command->callback([options] { list_runs(*options); });
 }
 

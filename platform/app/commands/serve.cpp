@@ -114,7 +114,7 @@ void add_serve_command(CLI::App& program) {
   command->add_option("--port", options->port, "Port (default: a free one)")
       ->option_text("N")
       ->check(whole_number(0, 65535));
-  command->add_option("--host", options->host, "Address to listen at (default: 127.0.0.1, this machine alone)")
+  command->add_option("--host", options->host, "Address to listen on (default: 127.0.0.1, this machine only)")
       ->option_text("ADDRESS");
   command->add_flag("--open", options->open, "Open a browser");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")

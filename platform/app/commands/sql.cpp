@@ -62,8 +62,8 @@ void add_sql_command(CLI::App& program) {
   command->add_option("sql", options->sql, "One or more statements; try \"SELECT * FROM error_by_revision\"")
       ->option_text("STATEMENT");
   command->add_flag("--views", options->views, "List the views, each with an example");
-  CLI::Option* csv = command->add_flag("--csv", options->csv, "Results as CSV");
-  add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
+  CLI::Option* csv = command->add_flag("--csv", options->csv, "Write results as CSV (not with --json)");
+  add_result_option(*command, "json", options->json, "Write results as JSON to FILE (default: standard output)");
   command->get_option("--json")->excludes(csv);
   command->callback([options] {
     if (options->views) return print_views();

@@ -230,8 +230,10 @@ void add_trial_command(CLI::App& program) {
                                              "or write its commands to a CSV file for a rig");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  add_test_options(*command, options->asked,
-                   "Test (required): a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", or a CSV file of commands");
+  add_test_options(
+      *command, options->asked,
+      "Test (required): a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\" (shape, actuator, amplitude, "
+      "frequency, duration; the shape is triangle, steps, chirp or multisine), or a CSV file of commands");
   command->add_flag("--holdout", options->held_out, "Hold the trial out: no fit reads it");
   add_result_option(*command, "csv", options->csv,
                     "Write the commands as CSV, to standard output or FILE; carry nothing out");

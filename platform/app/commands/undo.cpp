@@ -93,7 +93,7 @@ void run_undo(const CommonOptions& options) {
 void add_undo_command(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand(
-      "undo", "Undo the last add: remove the effect, or stop fitting the value that wrong_value made free");
+      "undo", "Undo the last add: remove the effect, or no longer fit a value of the robot file that it made free");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   command->callback([options] { run_undo(*options); });

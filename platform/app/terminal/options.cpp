@@ -108,14 +108,15 @@ void add_model_options(CLI::App& command, CommonOptions& options) {
 
 void add_work_options(CLI::App& command, CommonOptions& options) {
   command
-      .add_option("--db", options.database, "Database file (default: the experiment's name with .db, in this folder)")
+      .add_option("--db", options.database,
+                  "Database file (default: the experiment's name with .db, in the current folder)")
       ->option_text("FILE")
       ->each(note_database);
   command.add_option("--threads", options.threads, "Threads (default: one per processor)")
       ->option_text("N")
       ->check(whole_number(1, kMostThreads));
   command.add_option("--seed", options.seed, "Seed (default: the file's)")->option_text("N")->check(whole_number(0));
-  add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
+  add_result_option(command, "json", options.json, "Write results as JSON to FILE (default: standard output)");
   command.add_flag("--quiet", options.quiet, "Print results only");
 }
 

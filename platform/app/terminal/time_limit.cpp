@@ -63,7 +63,8 @@ void add_evaluation_limit_option(CLI::App& command) {
       .add_option_function<std::string>(
           "--evaluation-limit",
           [](const std::string& text) { CallPage::limit_evaluations(parse_duration("--evaluation-limit", text)); },
-          "Time limit of one simulation of a model (default: 2 min)")
+          "Time limit of one simulation of a model: 30, \"2 min\" (default: 2 min); beyond it the model counts as "
+          "failed")
       ->option_text("DURATION");
 }
 

@@ -89,7 +89,7 @@ void add_check_plugin_command(CLI::App& plugins) {
   check->add_option("file", options->file, "The plugin file")->required()->option_text("FILE.so");
   check->add_option("--sample", options->sample, "Valid file of the format that the plugin reads")->option_text("FILE");
   check->add_flag("--carry-out", options->carry_out, "Let targets carry out a test (a real rig moves)");
-  add_result_option(*check, "json", options->json, "Results as JSON, to standard output or FILE");
+  add_result_option(*check, "json", options->json, "Write results as JSON to FILE (default: standard output)");
   check->callback([options] { check_plugin_file(*options); });
 }
 

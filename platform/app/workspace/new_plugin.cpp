@@ -42,8 +42,8 @@ std::string command_word(std::string noun) {
 
 void add_kind(CLI::App& made, const DraftKind& kind) {
   auto options = std::make_shared<NewPluginOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command =
-      made.add_subcommand(command_word(kind.noun), "Write " + with_article(kind.noun) + " plugin: " + kind.does);
+  CLI::App* command = made.add_subcommand(command_word(kind.noun),
+                                          "Write " + with_article(kind.noun) + " plugin. Example: " + kind.does);
   command->add_option("name", options->name, "Name of the plugin and of its folder")->required()->option_text("NAME");
   command
       ->add_option("--into", options->into, "Folder in which the plugin's folder is made (default: the current folder)")

@@ -65,11 +65,12 @@ Test test_of_line(const AskedTest& asked, TestSpace space, const PluginCatalog& 
 
 void add_test_options(CLI::App& command, AskedTest& asked, const std::string& description) {
   command.add_option("--test", asked.test, description)->required()->option_text("TEST");
-  command.add_option("--duration", asked.duration, "Duration (default: the test's)")->option_text("TIME");
+  command.add_option("--duration", asked.duration, "Duration of the test: 8, \"8 s\" (default: that in TEST)")
+      ->option_text("DURATION");
   command
       .add_option("--setup", asked.setup,
-                  "Setup (condition of the rig, such as a load): the name of its recording, or \"none\" (default: the "
-                  "setup of the first recording)")
+                  "Setup (condition of the rig, such as a load): the name of a recording that was made in it, or "
+                  "\"none\" for the values of the model (default: the setup of the first recording)")
       ->option_text("NAME");
 }
 

@@ -69,8 +69,8 @@ std::string horizons_line(const Comparison& comparison, const std::string& chann
   }
   if (line.empty()) return "";
   if (std::isfinite(comparison.start_horizon))
-    line +=
-        fmt::format(" · initial-state uncertainty stays below twice the noise for {:.2g} s", comparison.start_horizon);
+    line += fmt::format(" · effect of the initial-state uncertainty stays below twice the noise for {:.2g} s",
+                        comparison.start_horizon);
   return line + "\n";
 }
 
