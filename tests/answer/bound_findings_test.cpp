@@ -12,8 +12,8 @@ using testing::IsEmpty;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-const std::vector<FreeValue> kFree = {{"body.arm.mass", "kg", 0.3, 1.0, 0.5, Scale::linear, ""},
-                                      {"joint.hinge.damping", "N*m*s/rad", 0.0, 0.2, 0.01, Scale::linear, ""}};
+const std::vector<FreeValue> kFree = {{{"body.arm.mass", "kg", 0.3, 1.0, 0.5, Scale::linear}, ""},
+                                      {{"joint.hinge.damping", "N*m*s/rad", 0.0, 0.2, 0.01, Scale::linear}, ""}};
 
 TEST(BoundFindings, NameABoundThatCutsAnInterval) {
   EXPECT_THAT(

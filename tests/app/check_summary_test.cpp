@@ -28,7 +28,7 @@ TEST(CheckSummary, SaysWhatAnExperimentHas) {
   experiment.model.file = "robots/pendulum.toml";
   ModelDefinition definition;
   definition.structure.robot = read_robot(LACUNA_SOURCE_DIRECTORY "/tests/config/good/pendulum.toml");
-  definition.free = {{"body.arm.mass", "kg", 0.1, 2.0, 0.55, Scale::linear, ""}};
+  definition.free = {{{"body.arm.mass", "kg", 0.1, 2.0, 0.55, Scale::linear}, ""}};
   definition.effects = {{"friction", "coulomb_friction", {"joint.hinge"}, {}, {}}, {"drag", "drag", {}, {}, {}}};
   RecordingSource& source = experiment.target.recording;
   source.sensors.resize(1);

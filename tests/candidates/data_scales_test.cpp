@@ -53,7 +53,7 @@ TEST(DataScales, AreThereWhereReadingsAreRare) {
   EXPECT_NEAR(data_scales({rare}).at("m/s"), 0.1, 1e-9);
 }
 
-FreeValue waves(const std::string& unit) { return {"effect.x.periods", unit, 0.001, 1e5, 0.5, Scale::logarithmic}; }
+FreeValue waves(const std::string& unit) { return {{"effect.x.periods", unit, 0.001, 1e5, 0.5, Scale::logarithmic}}; }
 
 TEST(BoundByResolution, LeavesAWaveThatRepeatsAndThatReadingsShow) {
   const auto scales = data_scales({sweep(0.2, "m")});

@@ -110,7 +110,7 @@ TEST(HypothesesOfManyJoints, CountTheValuesOfOneJoint) {
   every.placed = placed_entries(on("joint.*"), robot_of(4));
   for (const EffectEntry& one : every.placed) {
     every.own.push_back(every.definition.free.size());
-    every.definition.free.push_back({"effect." + one.id + ".torque", "N*m", 0.0, 9.0, 0.0, Scale::linear, ""});
+    every.definition.free.push_back({{"effect." + one.id + ".torque", "N*m", 0.0, 9.0, 0.0, Scale::linear}, ""});
   }
   EXPECT_EQ(every.parameters(), 1U);
   EXPECT_THAT(every.own_names(),
@@ -128,10 +128,10 @@ TEST(MemberNames, SayWhatStandsWhere) {
 
 TEST(Places, AreThreeLengthsThatMayHaveEitherSign) {
   Hypothesis hypothesis;
-  hypothesis.definition.free = {{"effect.load.mass", "kg", 0.0, 9.0, 0.0, Scale::linear, ""},
-                                {"effect.load.x", "m", -1.0, 1.0, 0.0, Scale::linear, ""},
-                                {"effect.load.y", "m", -1.0, 1.0, 0.0, Scale::linear, ""},
-                                {"effect.load.z", "m", -1.0, 1.0, 0.0, Scale::linear, ""}};
+  hypothesis.definition.free = {{{"effect.load.mass", "kg", 0.0, 9.0, 0.0, Scale::linear}, ""},
+                                {{"effect.load.x", "m", -1.0, 1.0, 0.0, Scale::linear}, ""},
+                                {{"effect.load.y", "m", -1.0, 1.0, 0.0, Scale::linear}, ""},
+                                {{"effect.load.z", "m", -1.0, 1.0, 0.0, Scale::linear}, ""}};
   hypothesis.own = {0, 1, 2, 3};
   EXPECT_TRUE(has_place(hypothesis));
   hypothesis.definition.free[3].scale = Scale::logarithmic;

@@ -25,7 +25,7 @@ Hypothesis effect_with(const std::vector<FreeValue>& values) {
 }
 
 FreeValue value_of(const std::string& name, const std::string& unit, double lower, double upper) {
-  return {"effect.effect." + name, unit, lower, upper, 0.0, Scale::linear, ""};
+  return {{"effect.effect." + name, unit, lower, upper, 0.0, Scale::linear}, ""};
 }
 
 /// Residuals of an effect that changes each prediction by this.

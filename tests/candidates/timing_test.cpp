@@ -14,7 +14,7 @@ Trial commanded(double interval) {
 }
 
 TEST(WithTiming, AppendsTheOffsetOfTheCommandsWithinItsRange) {
-  const std::vector<FreeValue> free = with_timing({{"body.arm.mass", "kg", 0.1, 1.0, 0.5}}, {-0.5, 0.25});
+  const std::vector<FreeValue> free = with_timing({{{"body.arm.mass", "kg", 0.1, 1.0, 0.5}}}, {-0.5, 0.25});
   ASSERT_EQ(free.size(), 2U);
   EXPECT_EQ(free[0].address, "body.arm.mass");
   EXPECT_EQ(free[1].lower, -0.5);

@@ -22,8 +22,8 @@ struct HeldPendulum : RecordedPendulum {
     const PendulumTruth truth{
         .inertia = kInertia, .damping = kDamping, .feedback = kFeedback, .disturbance = disturbance};
     trials = {recorded(truth, "sine.csv", sine, 15.0, 1), recorded(truth, "multi.csv", multisine, 15.0, 2)};
-    definition.free = {{"joint.hinge.armature", "kg*m^2", 0.0, 0.02, 0.001, Scale::linear, ""},
-                       {"joint.hinge.damping", "N*m*s/rad", 0.0, 1.0, 0.01, Scale::linear, ""}};
+    definition.free = {{{"joint.hinge.armature", "kg*m^2", 0.0, 0.02, 0.001, Scale::linear}, ""},
+                       {{"joint.hinge.damping", "N*m*s/rad", 0.0, 1.0, 0.01, Scale::linear}, ""}};
     for (const FreeValue& value : definition.free)
       definition.structure.parameters.push_back({value.address, value.lower, value.upper});
     model = compile(definition.structure, definition.engine);

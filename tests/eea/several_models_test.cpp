@@ -33,7 +33,7 @@ KnownModel known(double score, int restart, const std::string& structure) {
 /// A model with a free mass and an optional effect that has a free value.
 ModelDefinition with_effect() {
   ModelDefinition definition;
-  definition.free = {{"body.arm.mass", "kg", 0.0, 1.0}, {"effect.grease.damping", "N*m*s/rad", 0.0, 1.0}};
+  definition.free = {{{"body.arm.mass", "kg", 0.0, 1.0}}, {{"effect.grease.damping", "N*m*s/rad", 0.0, 1.0}}};
   EffectEntry grease;
   grease.id = "grease";
   grease.optional = true;
@@ -45,7 +45,7 @@ TEST(Ensemble, TakesTheBestOfEachStructureAndRestartFirst) {
   const std::vector<KnownModel> models = {known(1.0, 0, "a"), known(2.0, 0, "a"), known(3.0, 1, "a"),
                                           known(4.0, 0, "b"), known(5.0, 1, "a")};
   ModelDefinition definition;
-  definition.free = {{"body.arm.mass", "kg", 0.0, 9.0}};
+  definition.free = {{{"body.arm.mass", "kg", 0.0, 9.0}}};
   const Phenotypes phenotypes(definition);
   EXPECT_THAT(differing(models, 2, phenotypes), ElementsAre(0, 2));
   EXPECT_THAT(differing(models, 4, phenotypes), ElementsAre(0, 2, 3, 1));

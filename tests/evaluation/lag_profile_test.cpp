@@ -19,8 +19,8 @@ struct LateRig {
   explicit LateRig(DelayRounding rounding) {
     definition.structure.robot = one_joint(JointKind::slider, 1.0);
     const std::string delay = "sensor." + definition.structure.robot.sensors.front().name + ".delay";
-    definition.free = {{"body.body.mass", "kg", 0.5, 8.0, 1.0, Scale::linear, ""},
-                       {delay, "s", 0.0, kLongest, 0.0, Scale::linear, ""}};
+    definition.free = {{{"body.body.mass", "kg", 0.5, 8.0, 1.0, Scale::linear}, ""},
+                       {{delay, "s", 0.0, kLongest, 0.0, Scale::linear}, ""}};
     definition.structure.parameters = {{"body.body.mass", 0.5, 8.0}, {delay, 0.0, kLongest}};
     definition.engine.step = kLagStep;
     definition.engine.delay_rounding = rounding;

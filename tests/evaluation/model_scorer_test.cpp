@@ -21,7 +21,7 @@ constexpr double kTrueMass = 2.0;  // kg
 struct Rig {
   Rig() {
     definition.structure.robot = one_joint(JointKind::slider, 1.0);
-    definition.free = {{"body.body.mass", "kg", 0.5, 8.0, 1.0, Scale::linear, ""}};
+    definition.free = {{{"body.body.mass", "kg", 0.5, 8.0, 1.0, Scale::linear}, ""}};
     definition.structure.parameters = {{"body.body.mass", 0.5, 8.0}};
     definition.engine.step = kStep;
     model = compile(definition.structure, definition.engine);

@@ -36,7 +36,7 @@ class Emps : public testing::Test {
     model_ = compile(definition_.structure, definition_.engine);
     const RobotSpec& robot = definition_.structure.robot;
     trials_ = read_recording(experiment_.target.recording, sensor_channels(robot), command_channels(robot)).trials;
-    result_ = fit({definition_, *model_, trials_, experiment_.fit, 1, 2});
+    result_ = fit({definition_, *model_, trials_, experiment_.fit, 1, {2}});
   }
 
   Comparison comparison() const {

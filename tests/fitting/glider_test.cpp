@@ -47,8 +47,8 @@ FittedValue fitted_damping(const std::string& engine, int substeps) {
   robot.actuators.clear();
   robot.joints[0].stiffness = kStiffness;
   definition.engine = {.engine = engine, .step = kInterval, .substeps = substeps};
-  definition.free = {{"joint.joint.stiffness", "N/m", 1.0, 4.0, 1.9, Scale::linear, ""},
-                     {"joint.joint.damping", "N*s/m", 0.0, 1.0, 0.01, Scale::linear, ""}};
+  definition.free = {{{"joint.joint.stiffness", "N/m", 1.0, 4.0, 1.9, Scale::linear}, ""},
+                     {{"joint.joint.damping", "N*s/m", 0.0, 1.0, 0.01, Scale::linear}, ""}};
   for (const FreeValue& value : definition.free)
     definition.structure.parameters.push_back({value.address, value.lower, value.upper});
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);

@@ -22,8 +22,8 @@ ModelDefinition pendulum_with_loads() {
   robot.sensors = {make_sensor("position", SensorKind::joint_position, "joint")};
   definition.engine = {.engine = "articulated", .step = kInterval, .substeps = 1};
   definition.free = {
-      {"actuator.motor.gain", "1", 0.1, 3.0, 1.0},
-      {"joint.joint.damping", "N*m*s/rad", 0.0, 1.0, 0.0},
+      {{"actuator.motor.gain", "1", 0.1, 3.0, 1.0}},
+      {{"joint.joint.damping", "N*m*s/rad", 0.0, 1.0, 0.0}},
       {{.address = "body.body.mass@found", .unit = "kg", .lower = 0.1, .upper = 5.0, .start = 1.0}, "", {}, "found"}};
   definition.structure.parameters = {
       {"actuator.motor.gain", 0.1, 3.0}, {"joint.joint.damping", 0.0, 1.0}, {"body.body.mass", 0.1, 5.0, "found"}};

@@ -53,7 +53,7 @@ inline ModelDefinition with_free_spring(double frequency) {
 /// The spring as a fit with so many substeps finds it.
 inline FittedValue fitted_spring(const ModelDefinition& definition, const std::vector<Trial>& trials, int substeps) {
   const std::unique_ptr<CompiledModel> model = compiled(definition, substeps);
-  return fit({definition, *model, trials, {}, 1, 1}).values[0];
+  return fit({definition, *model, trials, {}, 1, {1}}).values[0];
 }
 
 }  // namespace lacuna::flywheel

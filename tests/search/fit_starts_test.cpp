@@ -11,8 +11,8 @@ EffectLook look_at_one() {
   one.entry.effect = "drag";
   one.entry.where = {"body.arm"};
   one.placed = {one.entry};
-  one.definition.free = {{"effect.drag.size", "1", 0.0, 10.0, 1.0, Scale::linear, ""},
-                         {"effect.drag.shape", "1", 0.1, 10.0, 1.0, Scale::logarithmic, ""}};
+  one.definition.free = {{{"effect.drag.size", "1", 0.0, 10.0, 1.0, Scale::linear}, ""},
+                         {{"effect.drag.shape", "1", 0.1, 10.0, 1.0, Scale::logarithmic}, ""}};
   one.own = {0, 1};
   one.neutral = {1.0, 1.0};
   EffectLook look;

@@ -160,8 +160,8 @@ TEST(FittedModels, HoldOneOfTwoRedundantValuesAndKeepTheirProduct) {
 TEST(NamedValuesOf, NameTheMemberOfAnEffectsValueAndTheTimingLast) {
   AugmentedModel model;
   model.placed = set_of("coulomb_friction");
-  model.definition.free = {{"joint.hinge.damping", "N*m*s/rad", 0.0, 1.0, 0.1},
-                           {"effect.coulomb_friction.torque", "N*m", 0.0, 1.0, 0.0}};
+  model.definition.free = {{{"joint.hinge.damping", "N*m*s/rad", 0.0, 1.0, 0.1}},
+                           {{"effect.coulomb_friction.torque", "N*m", 0.0, 1.0, 0.0}}};
   EXPECT_EQ(named_values(model, {0.2, 0.3}), (NamedValues{{"joint.hinge.damping", 0.2}, {kTorque, 0.3}}));
   EXPECT_EQ(named_values(model, {0.2, 0.3, -0.4}),
             (NamedValues{{"joint.hinge.damping", 0.2}, {kTorque, 0.3}, {"timing", -0.4}}));

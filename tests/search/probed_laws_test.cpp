@@ -11,7 +11,7 @@ namespace {
 Hypothesis one_of(Scale scale, double lower, double upper, double neutral) {
   Hypothesis one;
   one.entry.effect = "effect";
-  one.definition.free = {{"effect.effect.value", "1", lower, upper, neutral, scale, ""}};
+  one.definition.free = {{{"effect.effect.value", "1", lower, upper, neutral, scale}, ""}};
   one.own = {0};
   one.neutral = {neutral};
   return one;

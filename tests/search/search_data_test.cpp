@@ -65,10 +65,10 @@ TEST(SearchDataTest, RefusesRecordingsThatAreTooShort) {
 TEST(ChangesReadings, IsTrueOfEffectsAndFreeValuesOfSensors) {
   ModelDefinition definition;
   EXPECT_FALSE(changes_readings(definition));
-  definition.free = {{"joint.hinge.damping", "N*m*s/rad", 0.0, 1.0, 0.1}};
+  definition.free = {{{"joint.hinge.damping", "N*m*s/rad", 0.0, 1.0, 0.1}}};
   EXPECT_FALSE(changes_readings(definition));
   ModelDefinition of_value = definition, of_effect = definition;
-  of_value.free.push_back({"sensor.angle.offset", "rad", -1.0, 1.0, 0.0});
+  of_value.free.push_back({{"sensor.angle.offset", "rad", -1.0, 1.0, 0.0}});
   EXPECT_TRUE(changes_readings(of_value));
   EffectEntry entry;
   entry.where = {"joint.hinge"};

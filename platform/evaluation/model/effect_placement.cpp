@@ -236,8 +236,9 @@ void free_parameters(const Placement& placement, ModelDefinition& definition) {
     const auto range = entry.range.find(declaration.name);
     const auto [lower, upper] =
         range == entry.range.end() ? std::pair(declaration.lower, declaration.upper) : range->second;
-    definition.free.push_back({effect_address(entry.id, declaration.name), unit, lower, upper,
-                               placement.placed.values[i], declaration.scale, declaration.description});
+    definition.free.push_back({{effect_address(entry.id, declaration.name), unit, lower, upper,
+                                placement.placed.values[i], declaration.scale},
+                               declaration.description});
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 void add_robot_places(const ModelDefinition& definition, std::vector<PossibleValue>& places) {
   RobotSpec robot = definition.structure.robot;
   for (const AddressedValue& value : addressed_values(robot))
-    places.push_back({{value.address, value.unit, value.lower, value.upper, *value.value},
+    places.push_back({{{value.address, value.unit, value.lower, value.upper, *value.value}},
                       value.lower,
                       value.upper,
                       std::isfinite(value.lower) && std::isfinite(value.upper)});
@@ -25,8 +25,9 @@ void add_effect_places(const ModelDefinition& definition, std::vector<PossibleVa
       const std::string unit = placed.elements.empty() ? declared[i].unit
                                                        : unit_at(declared[i].unit, definition.structure.robot,
                                                                  placed.kind, placed.elements.front());
-      places.push_back({{effect_address(placed.id, declared[i].name), unit, declared[i].lower, declared[i].upper,
-                         placed.values[i], declared[i].scale, declared[i].description},
+      places.push_back({{{effect_address(placed.id, declared[i].name), unit, declared[i].lower, declared[i].upper,
+                          placed.values[i], declared[i].scale},
+                         declared[i].description},
                         declared[i].lower,
                         declared[i].upper});
     }
