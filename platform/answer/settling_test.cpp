@@ -17,7 +17,7 @@ constexpr double kSurelyBehind = 3.0;  ///< standard errors
 
 /// The cheapest of the sets that are indistinguishable from the answer; where there are none, the nearest set with
 /// another meaning unless the answer's lead is sure. Null: there is none.
-const FittedModel* rival_of(const SearchResult& found) {
+const FittedModel* candidate_of(const SearchResult& found) {
   const FittedModel* least = nullptr;
   for (const std::size_t i : found.decision.alike)
     if (!least || found.sets[i].judged.cost.cost < least->judged.cost.cost) least = &found.sets[i];
@@ -50,7 +50,7 @@ TestConditions conditions(const SearchResult& found, const std::vector<HorizonEr
   return conditions;
 }
 
-FittedRival rival(const FittedModel& set, const FittedValues& values) {
+FittedCandidate candidate(const FittedModel& set, const FittedValues& values) {
   return {fmt::format("{}", fmt::join(set.judged.members, " + ")), set.model.definition, values.values(),
           values.timing(), values.covariance()};
 }
@@ -66,7 +66,7 @@ void state(const NextTest& test, Diagnosis& diagnosis) {
   if (!is_worthwhile(test)) {
     diagnosis.findings.push_back(
         fmt::format("no test within the limits of the actuators separates {} from {}; widen the limits or add a sensor",
-                    test.rivals[0], test.rivals[1]));
+                    test.candidates[0], test.candidates[1]));
     return;
   }
   diagnosis.next_test = test.line;
@@ -77,12 +77,12 @@ void state(const NextTest& test, Diagnosis& diagnosis) {
 }  // namespace
 
 void propose_settling_test(const DiagnosisTask& task, const SearchResult& found, Diagnosis& result) {
-  const FittedModel* other = rival_of(found);
+  const FittedModel* other = candidate_of(found);
   if (found.decision.answer == 0 || !other) return;
   const FittedModel& answer = found.answer();
   const FittedValues of_answer(found, answer), of_other(found, *other);
   const std::optional<NextTest> test = propose_test(
-      task.catalog, task.experiment, rival(answer, of_answer), rival(*other, of_other), task.trials,
+      task.catalog, task.experiment, candidate(answer, of_answer), candidate(*other, of_other), task.trials,
       [&](double period) { return conditions(found, result.horizons, period); }, task.seed, task.work.unreported());
   if (test) state(*test, result);
 }

@@ -2,7 +2,7 @@
 
 #include "eea/ensemble/ensemble.h"
 #include "eea/definition/evaluations.h"
-#include "eea/rival_breeder.h"
+#include "eea/new_structure_breeder.h"
 #include "eea/trials/scored_trials.h"
 #include "evaluation/scoring/model_evaluator.h"
 #include "evolution/search_run.h"
@@ -99,8 +99,8 @@ class Estimation {
   }
 
   /// The best models of the previous pass seed the first search. Other searches start from random models, so that a
-  /// phase does not depend on one lineage, unless they look for rivals, which have their own seeds. An approximate
-  /// model has no genome.
+  /// phase does not depend on one lineage, unless they look for other structures, which have their own seeds. An
+  /// approximate model has no genome.
   std::vector<Genome> seeds() const {
     std::vector<Genome> seeds;
     if (state_.restart > 0 && !definition_.rivals) return seeds;
@@ -237,9 +237,9 @@ class Estimation {
   const EeaDefinition& definition_;
   EeaState& state_;
   ModelEvaluator evaluator_;
-  std::optional<RivalBreeder> breeder_;  // of the current restart
-  std::unique_ptr<Search> search_;       // that uses it
-  std::string last_reason_;              // why a model was invalid
+  std::optional<NewStructureBreeder> breeder_;  // of the current restart
+  std::unique_ptr<Search> search_;              // that uses it
+  std::string last_reason_;                     // why a model was invalid
 };
 
 }  // namespace

@@ -31,11 +31,11 @@ struct LocalEvaluations::Panel {
   }
 
   void find_fitness(const Test& test, int worker, JudgedTest& judged) {
-    std::vector<TestPrediction>& foretold = predictions[static_cast<std::size_t>(worker)];
-    if (!judges.predict(test, worker, foretold, judged.steps, judged.reason)) return;
-    judged.fitness = definition.value.score(test, foretold);
+    std::vector<TestPrediction>& predicted = predictions[static_cast<std::size_t>(worker)];
+    if (!judges.predict(test, worker, predicted, judged.steps, judged.reason)) return;
+    judged.fitness = definition.value.score(test, predicted);
     if (std::isfinite(judged.fitness)) return;
-    judged.reason = definition.value.why_not_finite(test, foretold);
+    judged.reason = definition.value.why_not_finite(test, predicted);
     if (judged.reason.empty()) judged.reason = "the weighted sum of the test's fitnesses is not finite";
   }
 
@@ -85,12 +85,12 @@ ModelScore LocalEvaluations::score_on(const KnownModel& model, const TargetTrial
   return score;
 }
 
-ForetoldTrial LocalEvaluations::foretell(const KnownModel& model, const TargetTrial& trial) {
+PredictedTrial LocalEvaluations::predict_trial(const KnownModel& model, const TargetTrial& trial) {
   const TestPredictor predictor(*definition_.compiled, definition_.sample_times, {1, work_.stop}, &definition_.model);
-  ForetoldTrial foretold;
+  PredictedTrial predicted;
   std::string reason;
-  foretold.valid = predictor.predict(model.model, trial.drive, 0, foretold.prediction, foretold.steps, reason);
-  return foretold;
+  predicted.valid = predictor.predict(model.model, trial.drive, 0, predicted.prediction, predicted.steps, reason);
+  return predicted;
 }
 
 std::vector<ModelScore> LocalEvaluations::find_delays(std::span<const KnownModel* const> models,

@@ -20,7 +20,7 @@ class LocalEvaluations : public Evaluations {
   std::uint64_t begin_exploration(const EeaState& state) override;
   std::vector<JudgedTest> judge(std::span<const Genome> tests) override;
   ModelScore score_on(const KnownModel& model, const TargetTrial& trial, int pass) override;
-  ForetoldTrial foretell(const KnownModel& model, const TargetTrial& trial) override;
+  PredictedTrial predict_trial(const KnownModel& model, const TargetTrial& trial) override;
   std::vector<ModelScore> find_delays(std::span<const KnownModel* const> models, const EeaState& state) override;
 
  private:

@@ -126,10 +126,10 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
 void note_prediction(const EeaRun& run, EeaState& state, int number, const TargetTrial& trial) {
   const KnownModel& best = state.best.front();
   if (best.genome.empty()) return;  // the approximate model that came with the experiment: it has no row
-  const ForetoldTrial foretold = run.evaluations->foretell(best, trial);
-  state.counts.test_steps += foretold.steps;
-  if (foretold.valid)
-    run.journal.add_prediction(best.number, number, foretold.prediction.sensors, foretold.prediction.centre_of_mass);
+  const PredictedTrial predicted = run.evaluations->predict_trial(best, trial);
+  state.counts.test_steps += predicted.steps;
+  if (predicted.valid)
+    run.journal.add_prediction(best.number, number, predicted.prediction.sensors, predicted.prediction.centre_of_mass);
 }
 
 }  // namespace lacuna

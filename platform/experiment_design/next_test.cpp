@@ -47,7 +47,7 @@ class TestSearch {
     if (ranked.front().nats < 0.0)
       throw Error(fmt::format(
           "none of {} random tests can be carried out on both {} and {}; check the values of these two models", random,
-          task_.rivals[0].name, task_.rivals[1].name));
+          task_.candidates[0].name, task_.candidates[1].name));
     const DrawnTest typical = median(ranked);
     refine(ranked, budget - random);
     return describe(ranked.front(), typical);
@@ -135,7 +135,7 @@ class TestSearch {
     NextTest test;
     test.line = test_line(task_.space, best.genome);
     if (any_is_set(task_.setups)) test.setup = setup_of(best);
-    test.rivals = {task_.rivals[0].name, task_.rivals[1].name};
+    test.candidates = {task_.candidates[0].name, task_.candidates[1].name};
     test.nats = best.nats;
     test.random_nats = typical.nats;
     test.trials = judge_.trials_needed(best.genome, setup_of(best).name());

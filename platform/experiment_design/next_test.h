@@ -20,7 +20,7 @@ namespace lacuna {
 
 /// A candidate model, with its uncertainty given the data so far. Everything that it refers to must live until
 /// `next_test` returns.
-struct RivalModel {
+struct TestCandidate {
   std::string name;  ///< as users see it: "coulomb_friction @ joint.hinge"
   const ModelDefinition& definition;
   const CompiledModel& model;  ///< of `definition`
@@ -42,8 +42,8 @@ struct RivalModel {
 
 /// The task of the test design.
 struct NextTestTask {
-  const PluginCatalog& catalog;     ///< with the plugins `command_series` and `model_disagreement`
-  std::vector<RivalModel> rivals;   ///< the first two are to be told apart; both have the robot's sensors
+  const PluginCatalog& catalog;           ///< with the plugins `command_series` and `model_disagreement`
+  std::vector<TestCandidate> candidates;  ///< the first two are to be told apart; both have the robot's sensors
   std::vector<ChannelNoise> noise;  ///< standard deviations of single readings, by channel; other channels are not read
   TestSpace space;  ///< limits (evaluation/prediction/test_space.h), control period, and the duration of the test
   double correlation_time = 0.0;  ///< s, of the noise: readings closer than this count as less than one each
@@ -62,13 +62,13 @@ inline constexpr double kDecisiveNats = 5.0;  ///< odds of 150 to 1
 
 /// A proposal, beside what chance does.
 struct NextTest {
-  std::string line;                   ///< as `lacuna trial --test` takes it (experiment_design/test_line.h)
-  std::optional<KnownSetup> setup;    ///< setup to make it in; nothing where no recording has one
-  std::array<std::string, 2> rivals;  ///< their names
-  double nats = 0.0;                  ///< expected evidence of one trial between the two candidates
-  double random_nats = 0.0;           ///< the same for the median random test
-  double trials = 0.0;                ///< until `kDecisiveNats`; infinite: more than a million
-  double random_trials = 0.0;         ///< the same for the median random test
+  std::string line;                       ///< as `lacuna trial --test` takes it (experiment_design/test_line.h)
+  std::optional<KnownSetup> setup;        ///< setup to make it in; nothing where no recording has one
+  std::array<std::string, 2> candidates;  ///< their names
+  double nats = 0.0;                      ///< expected evidence of one trial between the two candidates
+  double random_nats = 0.0;               ///< the same for the median random test
+  double trials = 0.0;                    ///< until `kDecisiveNats`; infinite: more than a million
+  double random_trials = 0.0;             ///< the same for the median random test
   int evaluations = 0;
   int invalid = 0;  ///< evaluations of tests that one of the models cannot carry out
 };
@@ -76,8 +76,8 @@ struct NextTest {
 /// METHOD step 12: the test on which two candidates, each refitted to it, are expected to differ most, within the
 /// actuators' limits. The worth of a test is the log likelihood in nats that it is expected to give the right
 /// candidate, in the worse direction of the pair: the other candidate is refitted to the new trial and the data so far
-/// by a few Gauss-Newton steps with its derivatives (rival_refit.h). The error of this linearisation is subtracted from
-/// the worth; otherwise tests with an unpredictable outcome would win. The refit is made here and not in the test
+/// by a few Gauss-Newton steps with its derivatives (candidate_refit.h). The error of this linearisation is subtracted
+/// from the worth; otherwise tests with an unpredictable outcome would win. The refit is made here and not in the test
 /// fitness, because it needs the models, the covariance of their values, bounds, and the uncertainty of the start,
 /// which a `TestFitness` does not get. The fitness `model_disagreement` evaluates the difference that remains. Noise
 /// counts as white beyond `correlation_time`.

@@ -17,15 +17,15 @@ constexpr int kEvaluations = 24, kMoreForASetup = 8;
 constexpr std::size_t kMostPaidFor = 4;  ///< setups; more of them share the budget
 
 /// Its timing beside its values where that was fitted, too.
-RivalModel rival(const FittedRival& one, const CompiledModel& model, double command_interval) {
-  RivalModel rival{one.name, one.definition, model, one.values, {}};
+TestCandidate candidate(const FittedCandidate& one, const CompiledModel& model, double command_interval) {
+  TestCandidate candidate{one.name, one.definition, model, one.values, {}};
   if (one.timing) {
-    rival.command_interval = command_interval;
-    rival.command_shift = *one.timing;
+    candidate.command_interval = command_interval;
+    candidate.command_shift = *one.timing;
   }
-  const Eigen::Index fitted = rival.coordinates();
-  rival.covariance = one.covariance.topLeftCorner(fitted, fitted);
-  return rival;
+  const Eigen::Index fitted = candidate.coordinates();
+  candidate.covariance = one.covariance.topLeftCorner(fitted, fitted);
+  return candidate;
 }
 
 double longest(const std::vector<Trial>& trials) {
@@ -37,9 +37,10 @@ double longest(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
-                                     const FittedRival& other, const std::vector<Trial>& trials,
-                                     const ConditionsAt& conditions_at, std::uint64_t seed, const Work& work) {
+std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment,
+                                     const FittedCandidate& one, const FittedCandidate& other,
+                                     const std::vector<Trial>& trials, const ConditionsAt& conditions_at,
+                                     std::uint64_t seed, const Work& work) {
   TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(trials));
   limit_to_trials(space, trials);
   TestConditions conditions = conditions_at(space.control_period);
@@ -49,7 +50,7 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experim
   const std::unique_ptr<CompiledModel> first = compile(one.definition.structure, one.definition.engine),
                                        second = compile(other.definition.structure, other.definition.engine);
   NextTestTask task{.catalog = catalog,
-                    .rivals = {rival(one, *first, interval), rival(other, *second, interval)},
+                    .candidates = {candidate(one, *first, interval), candidate(other, *second, interval)},
                     .noise = std::move(conditions.noise),
                     .space = std::move(space),
                     .start = std::move(conditions.start),

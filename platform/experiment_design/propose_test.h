@@ -12,7 +12,7 @@
 namespace lacuna {
 
 /// A fitted candidate.
-struct FittedRival {
+struct FittedCandidate {
   std::string name;
   const ModelDefinition& definition;
   std::vector<double> values;    ///< of its free values, SI
@@ -27,8 +27,9 @@ using ConditionsAt = std::function<TestConditions(double period)>;
 /// than the longest trial, stays within the commands of the trials, has the conditions that a callback returns, and
 /// uses one of the setups of the experiment's recordings. Nothing where the robot has no actuator that a test can
 /// drive.
-std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
-                                     const FittedRival& other, const std::vector<Trial>& trials,
-                                     const ConditionsAt& conditions_at, std::uint64_t seed, const Work& work);
+std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment,
+                                     const FittedCandidate& one, const FittedCandidate& other,
+                                     const std::vector<Trial>& trials, const ConditionsAt& conditions_at,
+                                     std::uint64_t seed, const Work& work);
 
 }  // namespace lacuna

@@ -48,7 +48,7 @@ struct Readings {
 Readings readings_of(const NextTestTask& task) {
   Readings readings;
   const double together = std::max(1.0, 2.0 * task.correlation_time / task.space.control_period);
-  const std::vector<Channel>& channels = task.rivals.front().model.channels();
+  const std::vector<Channel>& channels = task.candidates.front().model.channels();
   for (std::size_t c = 0; c < channels.size(); ++c)
     for (const ChannelNoise& noise : task.noise)
       if (noise.channel == channels[c].name) {
@@ -59,16 +59,16 @@ Readings readings_of(const NextTestTask& task) {
 }
 
 const NextTestTask& checked(const NextTestTask& task) {
-  if (task.rivals.size() < 2) throw Error("telling candidates apart needs two candidates; only one is given");
-  if (task.rivals[0].model.channels() != task.rivals[1].model.channels())
-    throw Error(task.rivals[0].name + " and " + task.rivals[1].name +
+  if (task.candidates.size() < 2) throw Error("telling candidates apart needs two candidates; only one is given");
+  if (task.candidates[0].model.channels() != task.candidates[1].model.channels())
+    throw Error(task.candidates[0].name + " and " + task.candidates[1].name +
                 " have different sensors, so no test can tell them apart");
-  for (const RivalModel& rival : task.rivals) {
-    const Eigen::Index fitted = rival.coordinates();
-    if (rival.covariance.rows() != fitted || rival.covariance.cols() != fitted)
-      throw Error(fmt::format("the covariance of {} is {} × {}, but {} of its values are fitted{}", rival.name,
-                              rival.covariance.rows(), rival.covariance.cols(), fitted,
-                              rival.command_interval > 0.0 ? ", including the timestamp offset" : ""));
+  for (const TestCandidate& candidate : task.candidates) {
+    const Eigen::Index fitted = candidate.coordinates();
+    if (candidate.covariance.rows() != fitted || candidate.covariance.cols() != fitted)
+      throw Error(fmt::format("the covariance of {} is {} × {}, but {} of its values are fitted{}", candidate.name,
+                              candidate.covariance.rows(), candidate.covariance.cols(), fitted,
+                              candidate.command_interval > 0.0 ? ", including the timestamp offset" : ""));
   }
   if (readings_of(task).channels.empty())
     throw Error(
@@ -76,11 +76,11 @@ const NextTestTask& checked(const NextTestTask& task) {
   return task;
 }
 
-RivalPredictor predictor(const NextTestTask& task, std::size_t which) {
+CandidatePredictor predictor(const NextTestTask& task, std::size_t which) {
   Readings readings = readings_of(task);
-  EngineSettings engine = task.rivals.front().definition.engine;
+  EngineSettings engine = task.candidates.front().definition.engine;
   engine.control_period = task.space.control_period;
-  return {task.rivals[which],           sample_times(engine, task.space.duration),
+  return {task.candidates[which],       sample_times(engine, task.space.duration),
           std::move(readings.channels), std::move(readings.deviations),
           task.start_deviation,         task.work};
 }
@@ -88,20 +88,20 @@ RivalPredictor predictor(const NextTestTask& task, std::size_t which) {
 /// Refits the other candidate to the truth by Gauss-Newton steps with the derivatives at its fit, until the first-order
 /// prediction of a step agrees with the simulated one to a small share of the remaining difference. Returns the share
 /// of the difference that remains beyond this error: 0 where another step might explain everything.
-double refit(const RivalPrediction& truth, const RivalPredictor& predictor, const Test& test, int worker,
-             RivalPrediction& rival) {
-  if (rival.follows.cols() == 0) return 1.0;
+double refit(const CandidatePrediction& truth, const CandidatePredictor& predictor, const Test& test, int worker,
+             CandidatePrediction& candidate) {
+  if (candidate.follows.cols() == 0) return 1.0;
   double trusted = 0.0;
-  rival.moved = Eigen::VectorXd::Zero(rival.follows.cols());
+  candidate.moved = Eigen::VectorXd::Zero(candidate.follows.cols());
   for (int step = 0; step < kMostSteps && trusted < kTrustedEnough; ++step) {
-    const Eigen::VectorXd left = unexplained(truth, rival);
-    const Eigen::VectorXd moved = left.tail(rival.moved.size());
+    const Eigen::VectorXd left = unexplained(truth, candidate);
+    const Eigen::VectorXd moved = left.tail(candidate.moved.size());
     Eigen::VectorXd readings;
     if (!predictor.predict_moved(test, worker, moved, readings)) return 0.0;
-    const double error = (readings - rival.readings - rival.follows * (moved - rival.moved)).norm();
+    const double error = (readings - candidate.readings - candidate.follows * (moved - candidate.moved)).norm();
     trusted = error > 0.0 ? std::max(0.0, 1.0 - error / left.norm()) : 1.0;
-    rival.readings = std::move(readings);
-    rival.moved = moved;
+    candidate.readings = std::move(readings);
+    candidate.moved = moved;
   }
   return trusted;
 }
@@ -112,7 +112,7 @@ TestJudge::TestJudge(const NextTestTask& task)
     : task_(checked(task)),
       encoding_(component<TestEncoding>(task.catalog, kEncoding)),
       fitness_(component<TestFitness>(task.catalog, kFitness)),
-      rivals_{predictor(task, 0), predictor(task, 1)} {
+      candidates_{predictor(task, 0), predictor(task, 1)} {
   set(fitness_, "noise", 1.0);  // it is in standard deviations
   const double lowest = std::max(1.0 / task.space.duration, 1e-3);
   set(encoding_, "lowest_frequency", lowest);
@@ -133,12 +133,12 @@ std::optional<TestJudge::Judgement> TestJudge::judgement(const Genome& genome, c
   test.start = task_.start;
   test.setup = setup;
   Judgement judgement;
-  std::array<RivalPrediction, 2>& truths = judgement.truths;
-  for (std::size_t i = 0; i < rivals_.size(); ++i)
-    if (!rivals_[i].predict(test, worker, truths[i])) return std::nullopt;
+  std::array<CandidatePrediction, 2>& truths = judgement.truths;
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    if (!candidates_[i].predict(test, worker, truths[i])) return std::nullopt;
   judgement.refitted = truths;
-  for (std::size_t i = 0; i < rivals_.size(); ++i)
-    judgement.trusted[i] = refit(truths[1 - i], rivals_[i], test, worker, judgement.refitted[i]);
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    judgement.trusted[i] = refit(truths[1 - i], candidates_[i], test, worker, judgement.refitted[i]);
   return judgement;
 }
 
@@ -149,8 +149,9 @@ double TestJudge::nats(const Genome& genome, int worker, const std::string& setu
 
 double TestJudge::worse(const Judgement& judgement, double trials) const {
   const auto direction = [&](std::size_t truth) {
-    const std::size_t rival = 1 - truth;
-    return score(judgement.trusted[rival] * unexplained(judgement.truths[truth], judgement.refitted[rival], trials));
+    const std::size_t candidate = 1 - truth;
+    return score(judgement.trusted[candidate] *
+                 unexplained(judgement.truths[truth], judgement.refitted[candidate], trials));
   };
   return std::min(direction(0), direction(1));
 }

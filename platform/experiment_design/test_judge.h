@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment_design/next_test.h"
-#include "experiment_design/rival_predictor.h"
+#include "experiment_design/candidate_predictor.h"
 #include "evaluation/model/component_choice.h"
 
 #include <array>
@@ -29,7 +29,7 @@ class TestJudge {
  private:
   /// The predictions of both candidates for a test, and those of each after its refit to the other's.
   struct Judgement {
-    std::array<RivalPrediction, 2> truths, refitted;
+    std::array<CandidatePrediction, 2> truths, refitted;
     std::array<double, 2> trusted;  ///< share of the difference that remains after the refit of each
   };
 
@@ -41,7 +41,7 @@ class TestJudge {
   const NextTestTask& task_;
   Chosen<TestEncoding> encoding_;
   Chosen<TestFitness> fitness_;
-  std::array<RivalPredictor, 2> rivals_;
+  std::array<CandidatePredictor, 2> candidates_;
   GenomeLayout layout_;
 };
 

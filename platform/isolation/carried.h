@@ -87,7 +87,7 @@ void carry(Wire& wire, ScoreOn& request) {
 }
 
 template <class Wire>
-void carry(Wire& wire, Foretell& request) {
+void carry(Wire& wire, PredictTrial& request) {
   carry_all(wire, request.model, request.trial);
 }
 
@@ -134,8 +134,8 @@ void carry(Wire& wire, JudgedTest& judged) {
 
 /// The part that a journal keeps: without slopes and their worth.
 template <class Wire>
-void carry(Wire& wire, ForetoldTrial& foretold) {
-  carry_all(wire, foretold.valid, foretold.prediction.sensors, foretold.prediction.centre_of_mass, foretold.steps);
+void carry(Wire& wire, PredictedTrial& predicted) {
+  carry_all(wire, predicted.valid, predicted.prediction.sensors, predicted.prediction.centre_of_mass, predicted.steps);
 }
 
 }  // namespace lacuna

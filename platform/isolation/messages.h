@@ -71,7 +71,7 @@ struct ScoreOn {
   WiredTrial trial;
   int pass = 1;
 };
-struct Foretell {
+struct PredictTrial {
   WiredModel model;
   WiredTrial trial;
 };
@@ -82,7 +82,7 @@ struct FindDelays {
 
 /// In this order on the wire.
 using Request = std::variant<WorkerTask, BeginEstimation, ScoreModelsRequest, BeginExploration, JudgeTests, ScoreOn,
-                             Foretell, FindDelays>;
+                             PredictTrial, FindDelays>;
 
 /// First byte of an answer; after `done` follows the result.
 enum class AnswerKind : std::uint8_t {

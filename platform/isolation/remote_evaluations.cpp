@@ -16,7 +16,7 @@ void refuse(ModelScore& score, const std::string& reason) {
       .total = std::numeric_limits<double>::infinity(), .trials = {}, .kind = ScoreKind::invalid, .reason = reason};
 }
 
-void refuse(ForetoldTrial& foretold, const std::string&) { foretold = {}; }
+void refuse(PredictedTrial& predicted, const std::string&) { predicted = {}; }
 
 void refuse(JudgedTest& judged, const std::string& reason) { judged = {kNotKnown, reason, 0}; }
 
@@ -135,8 +135,8 @@ ModelScore RemoteEvaluations::score_on(const KnownModel& model, const TargetTria
   return ask_for_one<ModelScore>(ScoreOn{wired(model), wired(trial), pass});
 }
 
-ForetoldTrial RemoteEvaluations::foretell(const KnownModel& model, const TargetTrial& trial) {
-  return ask_for_one<ForetoldTrial>(Foretell{wired(model), wired(trial)});
+PredictedTrial RemoteEvaluations::predict_trial(const KnownModel& model, const TargetTrial& trial) {
+  return ask_for_one<PredictedTrial>(PredictTrial{wired(model), wired(trial)});
 }
 
 std::vector<ModelScore> RemoteEvaluations::find_delays(std::span<const KnownModel* const> models,

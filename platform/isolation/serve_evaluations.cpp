@@ -86,9 +86,9 @@ class Clerk {
                                                target_trial(definition_, std::move(asked.trial)), asked.pass)});
   }
 
-  std::string carry_out(Foretell&& asked) {
-    return to_bytes(std::vector{here_.foretell(known_model(definition_, std::move(asked.model)),
-                                               target_trial(definition_, std::move(asked.trial)))});
+  std::string carry_out(PredictTrial&& asked) {
+    return to_bytes(std::vector{here_.predict_trial(known_model(definition_, std::move(asked.model)),
+                                                    target_trial(definition_, std::move(asked.trial)))});
   }
 
   std::string carry_out(FindDelays&& asked) {

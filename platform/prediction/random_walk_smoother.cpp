@@ -190,12 +190,12 @@ class Smoother {
 
   SmoothedMotion run_back() const {
     const std::size_t count = readings_.times.size();
-    std::vector<Belief> foretold(count), known(count);
+    std::vector<Belief> predicted(count), known(count);
     double unused = 0.0;
     Belief belief = start(0);
     for (std::size_t i = 0; i < count; ++i) {
       if (i > 0) move(readings_.times[i] - readings_.times[i - 1], sizes_, belief);
-      foretold[i] = belief;
+      predicted[i] = belief;
       read(i, sizes_, belief, unused);
       known[i] = belief;
     }
@@ -207,7 +207,7 @@ class Smoother {
     for (std::size_t i = count; i-- > 0;) {
       if (i + 1 < count) {
         const Matrix f = transition(readings_.times[i + 1] - readings_.times[i]);
-        const Belief& next = foretold[i + 1];
+        const Belief& next = predicted[i + 1];
         const Matrix back = (next.covariance.ldlt().solve(f * known[i].covariance)).transpose();
         known[i].mean += back * (known[i + 1].mean - next.mean);
         known[i].covariance += back * (known[i + 1].covariance - next.covariance) * back.transpose();

@@ -35,7 +35,7 @@ TEST(Challenge, ATrialThatIsTooHardIsSetAsideAndComesBack) {
 TEST(Challenge, WithoutItEveryTrialCounts) {
   const MemoryJournal journal = run(*small_bench({"experiment.passes=3"}));
   for (const PassRow& pass : journal.passes) EXPECT_THAT(pass.set_aside, IsEmpty());
-  EXPECT_TRUE(std::isnan(journal.trial_rows[0].surprise)) << "nobody foretold it";
+  EXPECT_TRUE(std::isnan(journal.trial_rows[0].surprise)) << "nobody predicted it";
   for (std::size_t i = 1; i < journal.trial_rows.size(); ++i) EXPECT_GT(journal.trial_rows[i].surprise, 0.0);
 }
 
@@ -64,7 +64,7 @@ TEST(Stopping, LongerHorizonsBeginAnew) {
   MemoryJournal journal;
   const EeaRun run = run_of(*bench, journal);
   EeaState state;
-  state.pass = 3;  // whose trial the models of the second pass foretell, over 0.1 s as those of the first
+  state.pass = 3;  // whose trial the models of the second pass predict, over 0.1 s as those of the first
   state.least_surprise = 0.1;
   note_surprise(run, state, 0.5);
   EXPECT_NE(lost_patience(run, state), "");

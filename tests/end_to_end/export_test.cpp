@@ -112,7 +112,7 @@ class Exported : public testing::Test {
     return values;
   }
 
-  /// The exported model in an experiment of its own foretells what the fitted one does.
+  /// The exported model in an experiment of its own predicts what the fitted one does.
   void expect_same_prediction(const std::string& robot) {
     program_.write("back.toml", experiment_of("back", robot, program_.read(robot + ".model.toml")));
     const std::vector<double> fitted = prediction("rig.toml"), back = prediction("back.toml");

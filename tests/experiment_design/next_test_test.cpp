@@ -1,7 +1,7 @@
 #include "experiment_design/next_test.h"
 
-#include "experiment_design/rival_pendulum.h"
-#include "experiment_design/rival_predictor.h"
+#include "experiment_design/candidate_pendulum.h"
+#include "experiment_design/candidate_predictor.h"
 #include "experiment_design/test_judge.h"
 #include "experiment_design/test_line.h"
 #include "fitting/shooting/parameter_space.h"
@@ -13,10 +13,10 @@
 namespace lacuna {
 namespace {
 
-NextTestTask task_of(const Pendulum& pendulum, std::vector<RivalModel> rivals) {
+NextTestTask task_of(const Pendulum& pendulum, std::vector<TestCandidate> candidates) {
   return {.catalog = built_catalog(),
-          .rivals = std::move(rivals),
-          .noise = {{"angle", "rad", kRivalNoise, "declared"}},
+          .candidates = std::move(candidates),
+          .noise = {{"angle", "rad", kReadingNoise, "declared"}},
           .space = test_space(pendulum.definition.structure.robot, pendulum.definition.engine, 4.0),
           .start = {},
           .start_deviation = {}};
@@ -36,7 +36,7 @@ std::vector<double> loose(const Pendulum& pendulum, double share = 0.05) {
 TEST(NextTest, BeatsTheMedianRandomTestAndStaysWithinTheLimits) {
   const Pendulum coulomb(kCoulomb), stribeck(kStribeck);
   NextTestTask task =
-      task_of(coulomb, {coulomb.rival("coulomb", loose(coulomb)), stribeck.rival("stribeck", loose(stribeck))});
+      task_of(coulomb, {coulomb.candidate("coulomb", loose(coulomb)), stribeck.candidate("stribeck", loose(stribeck))});
   const NextTest test = next_test(task);
   EXPECT_GT(test.random_nats, 0.0);
   EXPECT_GT(test.nats, 2.0 * test.random_nats) << to_string(test);
@@ -51,12 +51,12 @@ TEST(NextTest, BeatsTheMedianRandomTestAndStaysWithinTheLimits) {
   EXPECT_EQ(again.nats, test.nats);
 }
 
-/// Rivals that keep their values differ most where other values would explain the difference.
-TEST(NextTest, ChosenWithoutRefitsIsWorthLessOnceRivalsAreRefitted) {
+/// Candidates that keep their values differ most where other values would explain the difference.
+TEST(NextTest, ChosenWithoutRefitsIsWorthLessOnceCandidatesAreRefitted) {
   const Pendulum coulomb(kCoulomb), stribeck(kStribeck);
   const auto task_with = [&](double share) {
-    NextTestTask task = task_of(
-        coulomb, {coulomb.rival("coulomb", loose(coulomb, share)), stribeck.rival("stribeck", loose(stribeck, share))});
+    NextTestTask task = task_of(coulomb, {coulomb.candidate("coulomb", loose(coulomb, share)),
+                                          stribeck.candidate("stribeck", loose(stribeck, share))});
     task.evaluations = 30;
     return task;
   };
@@ -75,12 +75,12 @@ TEST(NextTest, OfOneStructureTellsNoMoreThanWhatTheFitLeftOpen) {
   Pendulum heavier("");
   heavier.values[0] += kDeviation;
   NextTestTask task =
-      task_of(one, {one.rival("one", {kDeviation, 1e-9}), heavier.rival("heavier", {kDeviation, 1e-9})});
+      task_of(one, {one.candidate("one", {kDeviation, 1e-9}), heavier.candidate("heavier", {kDeviation, 1e-9})});
   task.evaluations = 20;
   const NextTest refitted = next_test(task);
   EXPECT_NEAR(refitted.nats, 0.5, 0.02);
   EXPECT_TRUE(std::isinf(refitted.trials)) << "no number of trials tells one structure from itself";
-  NextTestTask known = task_of(one, {one.rival("one", {1e-9, 1e-9}), heavier.rival("heavier", {1e-9, 1e-9})});
+  NextTestTask known = task_of(one, {one.candidate("one", {1e-9, 1e-9}), heavier.candidate("heavier", {1e-9, 1e-9})});
   known.evaluations = task.evaluations;
   EXPECT_GT(next_test(known).nats, 10.0) << "known values differ and cannot be refitted";
 }
@@ -108,15 +108,15 @@ struct Scan {
     std::uint64_t steps = 0;
     std::string reason;
     EXPECT_TRUE(predictor.predict({{values.begin(), values.end()}}, test, 0, prediction, steps, reason)) << reason;
-    return prediction.sensors.samples.col(0) / kRivalNoise;
+    return prediction.sensors.samples.col(0) / kReadingNoise;
   }
-  /// Nats when only `free` of the rival's values can move, with that deviation: by golden section.
-  double nats(const Pendulum& truth, const Pendulum& rival, std::size_t free, double deviation) const {
+  /// Nats when only `free` of the candidate's values can move, with that deviation: by golden section.
+  double nats(const Pendulum& truth, const Pendulum& candidate, std::size_t free, double deviation) const {
     const Eigen::VectorXd wanted = readings(truth, truth.values);
     const auto cost = [&](double moved) {
-      std::vector<double> values = rival.values;
+      std::vector<double> values = candidate.values;
       values[free] += moved * deviation;
-      return 0.5 * ((wanted - readings(rival, values)).squaredNorm() + moved * moved);
+      return 0.5 * ((wanted - readings(candidate, values)).squaredNorm() + moved * moved);
     };
     constexpr double kGolden = 0.6180339887498949;
     double low = -4.0, high = 4.0;
@@ -130,13 +130,13 @@ struct Scan {
   std::vector<double> times;
 };
 
-TEST(NextTest, IsWorthWhatAScanOfTheRivalsValueLeaves) {
+TEST(NextTest, IsWorthWhatAScanOfTheCandidatesValueLeaves) {
   const Pendulum spring(kSpring), cubic(kCubic);
   const std::size_t own = 2;  // the effect's, after mass and damping
   constexpr double kDeviation = 0.01, kHeld = 1e-9;
   constexpr double kTolerance = 0.06;  // the refit keeps the derivatives of where it began
-  NextTestTask task = task_of(
-      spring, {spring.rival("spring", {kHeld, kHeld, kDeviation}), cubic.rival("cubic", {kHeld, kHeld, kDeviation})});
+  NextTestTask task = task_of(spring, {spring.candidate("spring", {kHeld, kHeld, kDeviation}),
+                                       cubic.candidate("cubic", {kHeld, kHeld, kDeviation})});
   task.evaluations = 20;
   const NextTest test = next_test(task);
   const Scan scan(task, test.line);
@@ -145,17 +145,17 @@ TEST(NextTest, IsWorthWhatAScanOfTheRivalsValueLeaves) {
 }
 
 /// The readings follow a value as a difference of simulations one way and the other says.
-TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
+TEST(CandidatePredictorTest, FollowsItsValuesAndItsStart) {
   const Pendulum pendulum("");
-  const RivalModel rival = pendulum.rival("rigid", {1e-4, 1e-9});
+  const TestCandidate candidate = pendulum.candidate("rigid", {1e-4, 1e-9});
   const std::vector<double> times = {0.0, 0.5, 1.0, 1.5};
-  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {1e-4, 0.0}, {1});
+  const CandidatePredictor predictor(candidate, times, {0}, {kReadingNoise}, {1e-4, 0.0}, {1});
   lacuna::Test test;
   test.duration = 1.5;
   CommandSeries commands;
   commands.series = {{{"motor", "N*m"}}, Eigen::VectorXd::Zero(1), TimeSeries::Samples::Constant(1, 1, 0.3)};
   test.drive = commands;
-  RivalPrediction prediction;
+  CandidatePrediction prediction;
   ASSERT_TRUE(predictor.predict(test, 0, prediction));
   ASSERT_EQ(prediction.follows.cols(), 3) << "mass, damping, and where it starts; not how fast";
   const auto read = [&](double mass, double start) {
@@ -166,7 +166,7 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
     lacuna::Test moved = test;
     moved.start = {{start}, {0.0}};
     EXPECT_TRUE(plain.predict({{mass, pendulum.values[1]}}, moved, 0, seen, steps, reason)) << reason;
-    return Eigen::VectorXd(seen.sensors.samples.col(0) / kRivalNoise);
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kReadingNoise);
   };
   const double mass = pendulum.values[0];
   const Eigen::VectorXd by_mass = 0.5 * (read(mass + 1e-4, 0.0) - read(mass - 1e-4, 0.0));
@@ -177,21 +177,21 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
 }
 
 /// Where it is not known within a sample interval when commands act, the readings follow that, too.
-TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
+TEST(CandidatePredictorTest, FollowsTheInstantThatCommandsActAt) {
   constexpr double kInterval = 0.01, kDeviation = 0.4, kShift = 0.1;
   const Pendulum pendulum("");
-  RivalModel rival = pendulum.rival("rigid", {0.0, 0.0, kDeviation});
-  rival.command_interval = kInterval;
-  rival.command_shift = kShift;
-  for (const Eigen::Index held : {0, 1}) rival.covariance(held, held) = 1e-20;
+  TestCandidate candidate = pendulum.candidate("rigid", {0.0, 0.0, kDeviation});
+  candidate.command_interval = kInterval;
+  candidate.command_shift = kShift;
+  for (const Eigen::Index held : {0, 1}) candidate.covariance(held, held) = 1e-20;
   const std::vector<double> times = {0.5, 1.0, 1.5};
-  const RivalPredictor predictor(rival, times, {0}, {kRivalNoise}, {}, {1});
+  const CandidatePredictor predictor(candidate, times, {0}, {kReadingNoise}, {}, {1});
   lacuna::Test test;
   test.duration = 1.5;
   CommandSeries commands;
   commands.series = {{{"motor", "N*m"}}, Eigen::Vector2d(0.0, 0.3), Eigen::Vector2d(0.1, 0.3)};
   test.drive = commands;
-  RivalPrediction prediction;
+  CandidatePrediction prediction;
   ASSERT_TRUE(predictor.predict(test, 0, prediction));
   const auto read = [&](double delay) {
     const TestPredictor plain(*pendulum.model, times, {1});
@@ -201,7 +201,7 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
     lacuna::Test moved = test;
     std::get<CommandSeries>(moved.drive).series.times.array() += delay;
     EXPECT_TRUE(plain.predict({pendulum.values}, moved, 0, seen, steps, reason)) << reason;
-    return Eigen::VectorXd(seen.sensors.samples.col(0) / kRivalNoise);
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kReadingNoise);
   };
   EXPECT_LT((prediction.readings - read(kShift * kInterval)).norm(), 1e-6 * prediction.readings.norm());
   const double later = kShift + 0.5 * kDeviation;
@@ -212,8 +212,8 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
   EXPECT_LT((prediction.follows.col(widest).cwiseAbs() - by_delay.cwiseAbs()).norm(), 0.02 * by_delay.norm());
 }
 
-/// The rivals differ in nothing but the weight that nobody weighed, so that only tests with it tell them apart.
-TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
+/// The candidates differ in nothing but the weight that nobody weighed, so that only tests with it tell them apart.
+TEST(NextTest, AsksForTheSetupThatTellsTheCandidatesApart) {
   const PendulumWithLoads one(0.5), other(0.7);
   NextTestTask task = one.against(other);
   ASSERT_EQ(task.setups.size(), 2U);
@@ -239,9 +239,9 @@ TEST(NextTest, DrawsTheSameTestsForOneSetup) {
   NextTestTask heavy = one.against(other);
   heavy.setups = {heavy.setups[1]};
   const Pendulum plain(""), heavier("");
-  NextTestTask none = task_of(plain, {plain.rival("one", {1e-9, 1e-9}), heavier.rival("other", {1e-9, 1e-9})});
-  none.rivals[0].values[0] = 0.5;
-  none.rivals[1].values[0] = 0.7;
+  NextTestTask none = task_of(plain, {plain.candidate("one", {1e-9, 1e-9}), heavier.candidate("other", {1e-9, 1e-9})});
+  none.candidates[0].values[0] = 0.5;
+  none.candidates[1].values[0] = 0.7;
   none.evaluations = heavy.evaluations;
   const NextTest in_setup = next_test(heavy), without = next_test(none);
   EXPECT_EQ(in_setup.line, without.line);
@@ -259,12 +259,12 @@ TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
 
 TEST(NextTest, SaysWhatItCannotTellApart) {
   const Pendulum one("");
-  NextTestTask task = task_of(one, {one.rival("one", {0.1, 0.01})});
+  NextTestTask task = task_of(one, {one.candidate("one", {0.1, 0.01})});
   EXPECT_THROW(next_test(task), Error);
-  task.rivals.push_back(one.rival("two", {0.1}));
+  task.candidates.push_back(one.candidate("two", {0.1}));
   EXPECT_THAT([&] { next_test(task); }, testing::ThrowsMessage<Error>(testing::HasSubstr("1 × 1")));
-  task.rivals.pop_back();
-  task.rivals.push_back(one.rival("two", {0.1, 0.01}));
+  task.candidates.pop_back();
+  task.candidates.push_back(one.candidate("two", {0.1, 0.01}));
   task.space.upper[0] = kInfinity;
   EXPECT_THAT([&] { next_test(task); }, testing::ThrowsMessage<Error>(testing::HasSubstr("motor")));
   limit_to_trials(task.space, {});
@@ -274,7 +274,7 @@ TEST(NextTest, SaysWhatItCannotTellApart) {
   trial.commands.series.samples << 0.1, 0.4, -0.2;
   limit_to_trials(task.space, {trial});
   EXPECT_EQ(task.space.upper[0], 0.4) << "the largest command so far";
-  EXPECT_EQ(task.space.lower[0], -kRivalLimit) << "a declared limit stays";
+  EXPECT_EQ(task.space.lower[0], -kTorqueLimit) << "a declared limit stays";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "experiment_design/propose_test.h"
 
-#include "experiment_design/rival_pendulum.h"
+#include "experiment_design/candidate_pendulum.h"
 #include "experiment_design/test_line.h"
 #include "foundation/processes/interrupt.h"
 
@@ -26,18 +26,19 @@ Trial commanded(double duration, double least, double most) {
 class ProposeTest : public testing::Test {
  protected:
   /// With a row and a column for the timestamp offset of the commands.
-  static FittedRival fitted(const std::string& name, const Pendulum& pendulum) {
+  static FittedCandidate fitted(const std::string& name, const Pendulum& pendulum) {
     const auto size = static_cast<Eigen::Index>(pendulum.values.size());
-    FittedRival rival{name, pendulum.definition, pendulum.values, std::nullopt,
-                      Eigen::MatrixXd::Zero(size + 1, size + 1)};
+    FittedCandidate candidate{name, pendulum.definition, pendulum.values, std::nullopt,
+                              Eigen::MatrixXd::Zero(size + 1, size + 1)};
     for (Eigen::Index i = 0; i < size; ++i)
-      rival.covariance(i, i) = std::pow(kKnownTo * pendulum.values[static_cast<std::size_t>(i)], 2);
-    rival.covariance(size, size) = 0.16;
-    return rival;
+      candidate.covariance(i, i) = std::pow(kKnownTo * pendulum.values[static_cast<std::size_t>(i)], 2);
+    candidate.covariance(size, size) = 0.16;
+    return candidate;
   }
-  static TestConditions conditions(double) { return {{}, {}, {{"angle", "rad", kRivalNoise, "declared"}}}; }
+  static TestConditions conditions(double) { return {{}, {}, {{"angle", "rad", kReadingNoise, "declared"}}}; }
 
-  std::optional<NextTest> proposed(const FittedRival& one, const FittedRival& other, const std::vector<Trial>& trials,
+  std::optional<NextTest> proposed(const FittedCandidate& one, const FittedCandidate& other,
+                                   const std::vector<Trial>& trials,
                                    const ConditionsAt& conditions_at = conditions) const {
     return propose_test(built_catalog(), rigid_.experiment, one, other, trials, conditions_at, 1, work_);
   }
@@ -53,7 +54,7 @@ TEST_F(ProposeTest, StaysWithinTheLengthAndTheCommandsOfTheRecordings) {
   rigid_.definition.structure.robot.actuators.front().force_limit = kInfinity;
   const std::optional<NextTest> test = proposed({commanded(3.0, -0.1, 0.1), commanded(2.0, 0.0, 0.25)});
   ASSERT_TRUE(test);
-  EXPECT_EQ(test->rivals, (std::array<std::string, 2>{"rigid", "sprung"}));
+  EXPECT_EQ(test->candidates, (std::array<std::string, 2>{"rigid", "sprung"}));
   EXPECT_GT(test->nats, kDecisiveNats);
   EXPECT_EQ(test->evaluations, 24);
   TestSpace space = test_space(rigid_.definition.structure.robot, rigid_.definition.engine, 3.0);
@@ -103,7 +104,7 @@ TEST_F(ProposeTest, IsNothingWhereTheRobotHasNoActuator) {
 /// A late command looks a little like a softer spring.
 TEST_F(ProposeTest, LetsTheTimestampOffsetExplainADifferenceOnlyWhereItWasFitted) {
   const std::vector<Trial> trials = {commanded(2.0, -0.3, 0.3)};
-  FittedRival rigid = fitted("rigid", rigid_), sprung = fitted("sprung", sprung_);
+  FittedCandidate rigid = fitted("rigid", rigid_), sprung = fitted("sprung", sprung_);
   const std::optional<NextTest> known = proposed(rigid, sprung, trials);
   rigid.timing = sprung.timing = -0.1;
   const std::optional<NextTest> refitted = proposed(rigid, sprung, trials);
@@ -121,18 +122,18 @@ TEST_F(ProposeTest, EndsWhereItsTimeIsUp) {
   EXPECT_THROW(proposed({commanded(1.0, -0.1, 0.1)}), TimeIsUp);
 }
 
-/// The rivals differ in the weight of one of two setups alone; each setup more is worth eight tests more.
+/// The candidates differ in the weight of one of two setups alone; each setup more is worth eight tests more.
 TEST(ProposeTestInSetups, TriesTheSetupsOfTheRecordings) {
   const PendulumWithLoads one(0.5), other(0.7);
   const auto size = static_cast<Eigen::Index>(one.values.size());
   const auto fitted = [&](const std::string& name, const PendulumWithLoads& pendulum) {
-    return FittedRival{name, pendulum.definition, pendulum.values, std::nullopt,
-                       Eigen::MatrixXd::Identity(size, size) * 1e-18};
+    return FittedCandidate{name, pendulum.definition, pendulum.values, std::nullopt,
+                           Eigen::MatrixXd::Identity(size, size) * 1e-18};
   };
   const std::optional<NextTest> test = propose_test(
       built_catalog(), one.experiment, fitted("one", one), fitted("other", other), {commanded(2.0, -0.3, 0.3)},
       [](double) {
-        return TestConditions{{}, {}, {{"angle", "rad", kRivalNoise, "declared"}}};
+        return TestConditions{{}, {}, {{"angle", "rad", kReadingNoise, "declared"}}};
       },
       1, {1});
   ASSERT_TRUE(test && test->setup);

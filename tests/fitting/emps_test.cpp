@@ -40,7 +40,7 @@ class Emps : public testing::Test {
   }
 
   Comparison comparison() const {
-    return compare({definition_, *model_, trials_, experiment_.noise, result_.parameters(), nullptr, {}, 1, 2});
+    return compare({definition_, *model_, trials_, experiment_.noise, result_.parameters(), nullptr, {}, 1, {2}});
   }
   double fitted(const std::string& address) const {
     for (const FittedValue& value : result_.values)

@@ -74,9 +74,9 @@ void write_messages(const fs::path& folder) {
   write(folder / "scores",
         '\1' + lacuna::to_bytes(std::vector<lacuna::ModelScore>{{.total = 0.5, .trials = {0.5}, .values = {2.0}}}));
   write(folder / "judged", '\2' + lacuna::to_bytes(std::vector<lacuna::JudgedTest>{{0.5, "no", 9}}));
-  lacuna::ForetoldTrial foretold;
-  foretold.prediction = {trial.measured, trial.centre_of_mass};
-  write(folder / "foretold", '\3' + lacuna::to_bytes(foretold));
+  lacuna::PredictedTrial predicted;
+  predicted.prediction = {trial.measured, trial.centre_of_mass};
+  write(folder / "predicted", '\3' + lacuna::to_bytes(predicted));
   write(folder / "lost", '\4' + lacuna::to_bytes(lacuna::LostWork{"effect", "was called", 1, true}));
 }
 

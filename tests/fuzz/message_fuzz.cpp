@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 0: read<lacuna::Request>(bytes); break;
     case 1: read<std::vector<lacuna::ModelScore>>(bytes); break;
     case 2: read<std::vector<lacuna::JudgedTest>>(bytes); break;
-    case 3: read<lacuna::ForetoldTrial>(bytes); break;
+    case 3: read<lacuna::PredictedTrial>(bytes); break;
     default: read<lacuna::LostWork>(bytes); break;
   }
   return 0;

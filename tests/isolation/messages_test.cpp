@@ -152,14 +152,14 @@ TEST(Messages, ScoresAndJudgementsArriveAsTheyWere) {
   EXPECT_EQ(fitness, 0.5);
   EXPECT_EQ(no, "no");
   EXPECT_EQ(taken, 9U);
-  ForetoldTrial foretold;
-  foretold.valid = true;
-  foretold.prediction = {series_of(0.5), series_of(0.25)};
-  foretold.steps = 5;
-  const auto [valid, prediction, of_it] = from_bytes<ForetoldTrial>(to_bytes(foretold));
+  PredictedTrial predicted;
+  predicted.valid = true;
+  predicted.prediction = {series_of(0.5), series_of(0.25)};
+  predicted.steps = 5;
+  const auto [valid, prediction, of_it] = from_bytes<PredictedTrial>(to_bytes(predicted));
   EXPECT_TRUE(valid);
-  expect_same(prediction.sensors, foretold.prediction.sensors);
-  expect_same(prediction.centre_of_mass, foretold.prediction.centre_of_mass);
+  expect_same(prediction.sensors, predicted.prediction.sensors);
+  expect_same(prediction.centre_of_mass, predicted.prediction.centre_of_mass);
   EXPECT_EQ(of_it, 5U);
 }
 

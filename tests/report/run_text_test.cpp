@@ -41,7 +41,7 @@ TEST(RunText, FiguresStandUnderTheirNamesWhicheverPassesHaveThem) {
   EXPECT_THAT(first_five(3), testing::ElementsAre("3", "0.125", "-", "-", "5.00 N·m"));
 }
 
-/// The value that was foretold of a test is not that of the one which took its place.
+/// The value that was predicted of a test is not that of the one which took its place.
 TEST(RunText, SaysWhereAnotherTestTookAPlace) {
   const std::vector<PassRow> passes = {{.number = 1, .best_test = 41, .best_fitness = 3.0},
                                        {.number = 2, .best_test = 90, .best_fitness = 4.0}};

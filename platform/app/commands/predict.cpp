@@ -98,7 +98,7 @@ struct AskedRun {
 
 /// A test that was carried out is predicted as it was asked for, from its start on and when it was measured.
 WantedTest carried_out_test(const AskedRun& run, const RunTrial& trial, const AskedTest& asked) {
-  const ScoredTrial observed = as_foretold(trial);
+  const ScoredTrial observed = as_new_trial(trial);
   const Eigen::VectorXd& times = observed.trial.measured.times;
   WantedTest wanted{as_carried_out(observed),
                     {times.begin(), times.end()},

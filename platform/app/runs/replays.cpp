@@ -78,7 +78,7 @@ ScoredTrial Replays::trial_of(const Subject& subject, std::int64_t trial) {
   const auto known = std::find(fitted.begin(), fitted.end(), static_cast<int>(trial));
   if (known != fitted.end()) return subject.model.trials[static_cast<std::size_t>(known - fitted.begin())];
   for (const RunTrial& one : subject.trials)
-    if (one.row.number == trial) return as_foretold(one);
+    if (one.row.number == trial) return as_new_trial(one);
   throw Error(fmt::format("run {} has no trial {}; it has {}", subject.run.run.value, trial, subject.trials.size()));
 }
 

@@ -11,7 +11,7 @@
 
 namespace lacuna {
 
-ScoredTrial as_foretold(const RunTrial& trial) { return {trial.drive, trial.trial, 0}; }
+ScoredTrial as_new_trial(const RunTrial& trial) { return {trial.drive, trial.trial, 0}; }
 
 std::vector<KeptTrial> stored_trials(const EeaStore& store) {
   std::vector<TargetTrialRow> rows = store.trial_rows();

@@ -30,7 +30,7 @@ RunTrial run_trial(const EeaDefinition& definition, KeptTrial stored);
 
 /// As a test with unknown outcome: its controller, if there is one, reacts to the model, whatever commands the
 /// target received.
-ScoredTrial as_foretold(const RunTrial& trial);
+ScoredTrial as_new_trial(const RunTrial& trial);
 
 /// All trials of the run, by number.
 std::vector<RunTrial> run_trials(const EeaStore& store, const EeaDefinition& definition);

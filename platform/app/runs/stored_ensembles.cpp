@@ -74,7 +74,7 @@ std::vector<HeldOutTrial> StoredEnsembles::held_out(int threads) const {
   parallel_for(pairs.size(), threads, [&](std::size_t i, int) {
     stop_.throw_if_due();
     const auto& [pass, trial] = pairs[i];
-    held_out[i] = held_against(definition_, with_noise(*pass), trial->row.number, as_foretold(*trial), stop_);
+    held_out[i] = held_against(definition_, with_noise(*pass), trial->row.number, as_new_trial(*trial), stop_);
   });
   return held_out;
 }

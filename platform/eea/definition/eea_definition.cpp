@@ -65,7 +65,8 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
 void EeaDefinition::check_rivals(Complaints& complaints) const {
   if (!rivals) return;
   if (restarts < 2)
-    complaints.add("estimation.rivals", "the second restart looks for the first rival; write restarts = 2 or more");
+    complaints.add("estimation.rivals",
+                   "the second restart looks for the first other structure; write restarts = 2 or more");
   if (!estimation.breeder) return;
   std::set<std::string> structures;
   RandomStream random(std::array<std::uint64_t, 1>{0});
@@ -75,9 +76,10 @@ void EeaDefinition::check_rivals(Complaints& complaints) const {
       return;  // a search reports genomes that cannot be decoded
     }
   if (structures.size() < 2)
-    complaints.add("estimation.rivals", "all models of the encoding " + model_encoding.origin.name +
-                                            " have the same structure, so there are no rivals; leave rivals out, or "
-                                            "take an encoding such as parameters_and_effects or morphology");
+    complaints.add("estimation.rivals",
+                   "all models of the encoding " + model_encoding.origin.name +
+                       " have the same structure, so there is no other one to look for; leave rivals out, or "
+                       "take an encoding such as parameters_and_effects or morphology");
 }
 
 void EeaDefinition::check_horizons(bool takes_tests, Complaints& complaints) const {

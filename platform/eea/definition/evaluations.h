@@ -27,7 +27,7 @@ struct JudgedTest {
 };
 
 /// The simulated behaviour of a model in a test.
-struct ForetoldTrial {
+struct PredictedTrial {
   bool valid = false;  ///< false: it cannot carry the test out
   TestPrediction prediction;
   std::uint64_t steps = 0;
@@ -53,7 +53,7 @@ class Evaluations {
   /// Compares a model with one trial, as in the scores of a pass.
   virtual ModelScore score_on(const KnownModel& model, const TargetTrial& trial, int pass) = 0;
   /// Simulates a model in the test of a trial.
-  virtual ForetoldTrial foretell(const KnownModel& model, const TargetTrial& trial) = 0;
+  virtual PredictedTrial predict_trial(const KnownModel& model, const TargetTrial& trial) = 0;
   /// Compares models with all channels of the state's trials that count; their `values` include the delays that are not
   /// genes.
   virtual std::vector<ModelScore> find_delays(std::span<const KnownModel* const> models, const EeaState& state) = 0;

@@ -128,12 +128,12 @@ int rank(std::vector<Candidate>& candidates, std::size_t samples) {
 
 void keep_best(std::vector<Candidate>& candidates, std::size_t samples) {
   const Candidate& best = candidates.front();
-  const auto rival = std::find_if(candidates.begin() + 1, candidates.end(), [&](const Candidate& candidate) {
+  const auto other = std::find_if(candidates.begin() + 1, candidates.end(), [&](const Candidate& candidate) {
     return candidate.valid && !same_error(candidate, best, samples) &&
            candidate.objective < best.objective + kHopeless * static_cast<double>(samples);
   });
   std::vector<Candidate> kept = {best};
-  if (rival != candidates.end()) kept.push_back(*rival);
+  if (other != candidates.end()) kept.push_back(*other);
   candidates = std::move(kept);
 }
 

@@ -1,4 +1,4 @@
-#include "experiment_design/rival_refit.h"
+#include "experiment_design/candidate_refit.h"
 
 #include <Eigen/Cholesky>
 
@@ -6,13 +6,13 @@
 
 namespace lacuna {
 
-Eigen::VectorXd unexplained(const RivalPrediction& truth, const RivalPrediction& rival, double trials) {
-  const Eigen::VectorXd difference = truth.readings - rival.readings;
-  const Eigen::MatrixXd& follows = rival.follows;
+Eigen::VectorXd unexplained(const CandidatePrediction& truth, const CandidatePrediction& candidate, double trials) {
+  const Eigen::VectorXd difference = truth.readings - candidate.readings;
+  const Eigen::MatrixXd& follows = candidate.follows;
   const Eigen::Index rows = difference.size(), refitted = follows.cols();
   Eigen::MatrixXd normal = trials * (follows.transpose() * follows);
   normal.diagonal().array() += 1.0;
-  const Eigen::VectorXd moved = rival.moved.size() > 0 ? rival.moved : Eigen::VectorXd::Zero(refitted);
+  const Eigen::VectorXd moved = candidate.moved.size() > 0 ? candidate.moved : Eigen::VectorXd::Zero(refitted);
   const Eigen::VectorXd step = normal.ldlt().solve(trials * (follows.transpose() * difference) - moved);
   Eigen::VectorXd left(rows + refitted);
   left.head(rows) = std::sqrt(trials) * (difference - follows * step);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment_design/next_test.h"
-#include "experiment_design/rival_refit.h"
+#include "experiment_design/candidate_refit.h"
 #include "evaluation/prediction/test_predictor.h"
 #include "fitting/shooting/parameter_space.h"
 
@@ -13,14 +13,14 @@ namespace lacuna {
 
 /// Predicts tests with a candidate and its derivatives by all that a refit can change. Const and shared by threads,
 /// each with a worker of its own.
-class RivalPredictor {
+class CandidatePredictor {
  public:
-  /// `deviations`: of the readings of `channels`, indices into the model's. `rival` must outlive it.
-  RivalPredictor(const RivalModel& rival, std::vector<double> times, std::vector<Eigen::Index> channels,
-                 std::vector<double> deviations, std::vector<double> start_deviation, const Work& work);
+  /// `deviations`: of the readings of `channels`, indices into the model's. `candidate` must outlive it.
+  CandidatePredictor(const TestCandidate& candidate, std::vector<double> times, std::vector<Eigen::Index> channels,
+                     std::vector<double> deviations, std::vector<double> start_deviation, const Work& work);
 
   /// False where the model cannot carry the test out.
-  bool predict(const Test& test, int worker, RivalPrediction& prediction) const;
+  bool predict(const Test& test, int worker, CandidatePrediction& prediction) const;
   /// The readings after all refitted quantities have moved by these deviations, one for each column of `follows`;
   /// values stop at their bounds.
   bool predict_moved(const Test& test, int worker, const Eigen::VectorXd& deviations, Eigen::VectorXd& readings) const;

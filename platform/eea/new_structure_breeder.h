@@ -13,9 +13,9 @@ namespace lacuna {
 
 /// Makes genomes of models whose structures differ from those already examined, within a number of attempts. Definition
 /// and breeder must outlive it.
-class RivalBreeder : public Breeder {
+class NewStructureBreeder : public Breeder {
  public:
-  RivalBreeder(const EeaDefinition& definition, std::set<std::string> taken)
+  NewStructureBreeder(const EeaDefinition& definition, std::set<std::string> taken)
       : definition_(definition), breeder_(*definition.estimation.breeder), taken_(std::move(taken)) {}
 
   /// Whether repeated attempts find a new structure; `key`: of the random numbers.

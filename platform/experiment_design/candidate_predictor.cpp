@@ -1,4 +1,4 @@
-#include "experiment_design/rival_predictor.h"
+#include "experiment_design/candidate_predictor.h"
 
 #include "candidates/timing.h"
 
@@ -25,28 +25,29 @@ Test later(Test test, double delay) {
 
 }  // namespace
 
-RivalPredictor::RivalPredictor(const RivalModel& rival, std::vector<double> times, std::vector<Eigen::Index> channels,
-                               std::vector<double> deviations, std::vector<double> start_deviation, const Work& work)
-    : predictor_(rival.model, std::move(times), work),
+CandidatePredictor::CandidatePredictor(const TestCandidate& candidate, std::vector<double> times,
+                                       std::vector<Eigen::Index> channels, std::vector<double> deviations,
+                                       std::vector<double> start_deviation, const Work& work)
+    : predictor_(candidate.model, std::move(times), work),
       channels_(std::move(channels)),
       deviations_(std::move(deviations)),
       start_deviation_(std::move(start_deviation)),
-      space_(rival.definition.free),
-      command_interval_(rival.command_interval),
-      at_(Eigen::VectorXd::Zero(rival.coordinates())),
-      lower_(Eigen::VectorXd::Constant(rival.coordinates(), -kMostTiming)),
-      upper_(Eigen::VectorXd::Constant(rival.coordinates(), kMostTiming)),
-      coordinates_(rival.model.coordinates().size()) {
-  at_.head(space_.size()) = space_.to_coordinates(rival.values);
+      space_(candidate.definition.free),
+      command_interval_(candidate.command_interval),
+      at_(Eigen::VectorXd::Zero(candidate.coordinates())),
+      lower_(Eigen::VectorXd::Constant(candidate.coordinates(), -kMostTiming)),
+      upper_(Eigen::VectorXd::Constant(candidate.coordinates(), kMostTiming)),
+      coordinates_(candidate.model.coordinates().size()) {
+  at_.head(space_.size()) = space_.to_coordinates(candidate.values);
   lower_.head(space_.size()) = space_.lower();
   upper_.head(space_.size()) = space_.upper();
-  if (command_interval_ > 0.0) at_(space_.size()) = rival.command_shift;
-  add_moves(completed(rival.covariance));
+  if (command_interval_ > 0.0) at_(space_.size()) = candidate.command_shift;
+  add_moves(completed(candidate.covariance));
   for (std::size_t i = 0; i < start_deviation_.size(); ++i)
     if (start_deviation_[i] > 0.0) unknown_starts_.push_back(i);
 }
 
-Eigen::MatrixXd RivalPredictor::completed(Eigen::MatrixXd covariance) const {
+Eigen::MatrixXd CandidatePredictor::completed(Eigen::MatrixXd covariance) const {
   for (Eigen::Index j = 0; j < at_.size(); ++j) {
     const double variance = covariance(j, j);
     if (std::isfinite(variance) && variance > 0.0) continue;
@@ -59,7 +60,7 @@ Eigen::MatrixXd RivalPredictor::completed(Eigen::MatrixXd covariance) const {
   return covariance;
 }
 
-double RivalPredictor::way(const Eigen::VectorXd& direction) const {
+double CandidatePredictor::way(const Eigen::VectorXd& direction) const {
   double most = kMove;
   for (Eigen::Index j = 0; j < at_.size(); ++j) {
     if (direction(j) > 0.0) most = std::min(most, (upper_(j) - at_(j)) / direction(j));
@@ -68,7 +69,7 @@ double RivalPredictor::way(const Eigen::VectorXd& direction) const {
   return most;
 }
 
-void RivalPredictor::add_moves(const Eigen::MatrixXd& covariance) {
+void CandidatePredictor::add_moves(const Eigen::MatrixXd& covariance) {
   if (at_.size() == 0) return;
   const Eigen::VectorXd sizes = covariance.diagonal().cwiseSqrt();
   const Eigen::VectorXd inverse = sizes.unaryExpr([](double size) { return size > 0.0 ? 1.0 / size : 0.0; });
@@ -83,7 +84,7 @@ void RivalPredictor::add_moves(const Eigen::MatrixXd& covariance) {
   }
 }
 
-Test RivalPredictor::moved_start(Test test, std::size_t component, double deviations) const {
+Test CandidatePredictor::moved_start(Test test, std::size_t component, double deviations) const {
   test.start.positions.resize(coordinates_, 0.0);
   test.start.velocities.resize(coordinates_, 0.0);
   auto& part = component < coordinates_ ? test.start.positions : test.start.velocities;
@@ -91,8 +92,8 @@ Test RivalPredictor::moved_start(Test test, std::size_t component, double deviat
   return test;
 }
 
-bool RivalPredictor::readings(std::span<const double> values, const Test& test, int worker,
-                              Eigen::VectorXd& readings) const {
+bool CandidatePredictor::readings(std::span<const double> values, const Test& test, int worker,
+                                  Eigen::VectorXd& readings) const {
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;
@@ -105,15 +106,15 @@ bool RivalPredictor::readings(std::span<const double> values, const Test& test, 
   return readings.allFinite();
 }
 
-bool RivalPredictor::readings_at(const Eigen::VectorXd& coordinates, const Test& test, int worker,
-                                 Eigen::VectorXd& moved) const {
+bool CandidatePredictor::readings_at(const Eigen::VectorXd& coordinates, const Test& test, int worker,
+                                     Eigen::VectorXd& moved) const {
   const Eigen::VectorXd within = coordinates.cwiseMax(lower_).cwiseMin(upper_);
   const std::vector<double> values = space_.to_values(within.head(space_.size()));
   if (command_interval_ == 0.0) return readings(values, test, worker, moved);
   return readings(values, later(test, within(space_.size()) * command_interval_), worker, moved);
 }
 
-bool RivalPredictor::predict(const Test& test, int worker, RivalPrediction& prediction) const {
+bool CandidatePredictor::predict(const Test& test, int worker, CandidatePrediction& prediction) const {
   if (!readings_at(at_, test, worker, prediction.readings)) return false;
   prediction.follows.resize(prediction.readings.size(),
                             static_cast<Eigen::Index>(moves_.size() + unknown_starts_.size()));
@@ -130,8 +131,8 @@ bool RivalPredictor::predict(const Test& test, int worker, RivalPrediction& pred
   return true;
 }
 
-bool RivalPredictor::predict_moved(const Test& test, int worker, const Eigen::VectorXd& deviations,
-                                   Eigen::VectorXd& moved) const {
+bool CandidatePredictor::predict_moved(const Test& test, int worker, const Eigen::VectorXd& deviations,
+                                       Eigen::VectorXd& moved) const {
   Eigen::VectorXd at = at_;
   Test from = test;
   Eigen::Index column = 0;

@@ -13,14 +13,14 @@
 
 namespace lacuna {
 
-inline constexpr double kRivalNoise = 1e-3;  ///< rad, of a reading
-inline constexpr double kRivalLimit = 0.6;   ///< N·m, of the amplifier
+inline constexpr double kReadingNoise = 1e-3;  ///< rad, of a reading
+inline constexpr double kTorqueLimit = 0.6;    ///< N·m, of the amplifier
 
 /// The servo pendulum with an amplifier of little torque, and an effect.
 struct Pendulum {
   explicit Pendulum(const std::string& effects) {
     const std::string text = fmt::format(R"([experiment]
-name = "rivals"
+name = "candidates"
 [target]
 kind = "recorded"
 files = ["data/servo_pendulum/sine.csv"]
@@ -35,14 +35,14 @@ effects = [{}]
 [engine]
 step = "5 ms"
 )",
-                                         kRivalLimit, effects);
-    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/rivals.toml");
+                                         kTorqueLimit, effects);
+    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/candidates.toml");
     definition = define_model(experiment, built_catalog());
     model = compile(definition.structure, definition.engine);
     values = definition.start_values();
   }
   /// Deviations of the values; 0: held.
-  RivalModel rival(const std::string& name, const std::vector<double>& deviations) const {
+  TestCandidate candidate(const std::string& name, const std::vector<double>& deviations) const {
     const Eigen::Map<const Eigen::VectorXd> all(deviations.data(), static_cast<Eigen::Index>(deviations.size()));
     return {name, definition, *model, values, all.cwiseAbs2().asDiagonal()};
   }
@@ -75,7 +75,7 @@ free = {{ "body.arm.mass" = [0.3, 1.0], "joint.hinge.damping" = [0.0, 0.2] }}
 [engine]
 step = "5 ms"
 )",
-                                         kRivalLimit);
+                                         kTorqueLimit);
     experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/loads.toml");
     definition = define_model(experiment, built_catalog());
     model = compile(definition.structure, definition.engine);
@@ -83,14 +83,14 @@ step = "5 ms"
     values.back() = heavy;
     setups = known_setups(definition, experiment.target.recording);
   }
-  RivalModel rival(const std::string& name) const {
+  TestCandidate candidate(const std::string& name) const {
     const auto size = static_cast<Eigen::Index>(values.size());
     return {name, definition, *model, values, Eigen::MatrixXd::Identity(size, size) * 1e-18};
   }
   NextTestTask against(const PendulumWithLoads& other) const {
     return {.catalog = built_catalog(),
-            .rivals = {rival("one"), other.rival("other")},
-            .noise = {{"angle", "rad", kRivalNoise, "declared"}},
+            .candidates = {candidate("one"), other.candidate("other")},
+            .noise = {{"angle", "rad", kReadingNoise, "declared"}},
             .space = test_space(definition.structure.robot, definition.engine, 4.0),
             .start = {},
             .start_deviation = {},

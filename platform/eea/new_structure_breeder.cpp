@@ -1,4 +1,4 @@
-#include "eea/rival_breeder.h"
+#include "eea/new_structure_breeder.h"
 
 #include <lacuna/error.h>
 
@@ -9,20 +9,20 @@ constexpr int kMostTries = 100;
 
 }  // namespace
 
-bool RivalBreeder::can_breed(const std::vector<std::uint64_t>& key) const {
+bool NewStructureBreeder::can_breed(const std::vector<std::uint64_t>& key) const {
   if (taken_.empty()) return true;
   RandomStream stream(key);
   return !is_taken(random(stream));
 }
 
-Genome RivalBreeder::random(RandomStream& random) const {
+Genome NewStructureBreeder::random(RandomStream& random) const {
   Genome genome = breeder_.random(random);
   for (int again = 1; again < kMostTries && is_taken(genome); ++again) genome = breeder_.random(random);
   return genome;
 }
 
-Genome RivalBreeder::child(std::span<const Genome> parents, RandomStream& random,
-                           std::vector<std::size_t>& used) const {
+Genome NewStructureBreeder::child(std::span<const Genome> parents, RandomStream& random,
+                                  std::vector<std::size_t>& used) const {
   Genome genome = breeder_.child(parents, random, used);
   for (int again = 1; again < kMostTries && is_taken(genome); ++again) {
     used.clear();
@@ -31,7 +31,7 @@ Genome RivalBreeder::child(std::span<const Genome> parents, RandomStream& random
   return genome;
 }
 
-bool RivalBreeder::is_taken(const Genome& genome) const {
+bool NewStructureBreeder::is_taken(const Genome& genome) const {
   if (taken_.empty()) return false;
   try {
     return is_taken(definition_.decode_model(genome));
