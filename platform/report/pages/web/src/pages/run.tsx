@@ -155,8 +155,8 @@ function Objective({ run }: { run: Run }) {
                   key={group}
                   title={`True-parameter error: ${name}`}
                   x={passAxis}
-                  y={{ label: 'difference from the true (hidden) value', unit, include: [0] }}
-                  note={several ? 'Mean over the values of this kind; band: smallest to largest.' : undefined}
+                  y={{ label: 'true-parameter error', unit, include: [0] }}
+                  note={`Difference from the true (hidden) value${several ? ': mean over the values of this kind; band: smallest to largest' : ''}.`}
                   series={[
                     ...(several
                       ? [
