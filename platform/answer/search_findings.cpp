@@ -5,6 +5,7 @@
 #include "answer/errors_by_length.h"
 #include "answer/evidence.h"
 #include "answer/fitted_values.h"
+#include "answer/held_out_finding.h"
 #include "foundation/unit.h"
 #include "residual_law/joint_laws.h"
 #include "residual_law/missing_force.h"
@@ -125,6 +126,7 @@ class Told {
     const auto add = [&](std::string text) {
       if (!text.empty()) all.push_back(std::move(text));
     };
+    if (result.verdict == Verdict::effect_found) add(held_out_finding(result.horizons));
     if (has_answer()) {
       add(absorbed(result.values));
       if (found_.by_all_lengths)
