@@ -73,6 +73,14 @@ TEST_F(Mat, ReadsBothByteOrders) {
         << big_endian;
 }
 
+TEST_F(Mat, ReadsTheFirstOfTwoVariablesWithOneName) {
+  const std::string twice = file(header(false) + row("q", "\1\2"s, false, 2) + row("q", "\3\4"s, false, 2));
+  EXPECT_THAT(format_.columns(twice), ElementsAre("q"));
+  EXPECT_THAT(format_.column(twice, "q"), ElementsAre(1.0, 2.0));
+  EXPECT_THAT(FormatUnderTest::texts(format_.contents(twice).remarks),
+              ElementsAre("column `q` occurs more than once; the first one is used"));
+}
+
 TEST_F(Mat, ReadsNoMoreRowsThanAreWanted) {
   const ReadRows read = format_.read(recorded_by_others("run.mat"), {{"", {"log.wide(1,:)", "log.q(:,1)"}, 2}});
   EXPECT_THAT(read.tables.at(0).columns.at(0), ElementsAre(0.0, -0.5));

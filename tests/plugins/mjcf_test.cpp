@@ -206,6 +206,12 @@ TEST(Mjcf, TakesDirectionsHoweverLongTheyAreWritten) {
   }
 }
 
+TEST(Mjcf, RefusesWhatIsTooLargeToComputeWith) {
+  const std::string far = "<body name=\"tool\" pos=\"0 1e308 0\">" + std::string(kInertial) + "</body>";
+  EXPECT_THAT(only_mjcf_problem(one_joint("<joint/>" + far)),
+              HasSubstr("position of arm is too large to compute with"));
+}
+
 TEST(Mjcf, TellsAllProblemsAtTheirLines) {
   const ReadRobot made = read_mjcf(
       "<mujoco>\n<worldbody>\n<body name=\"a\">\n<joint axis=\"0 0 0\"/>\n<geom size=\"nan\"/>\n"

@@ -59,6 +59,16 @@ TEST_F(Numpy, ReadsFieldsOfStructuredTypesByPath) {
   EXPECT_THAT(read.tables.at(0).columns.at(0), ElementsAre(1e-9, 0.5, 1.0));
 }
 
+/// A field called like the path of another one.
+TEST_F(Numpy, ReadsTheFirstOfTwoFieldsWithOnePath) {
+  const std::string twice =
+      file(array_file(header_of("[('q[1]', '|u1'), ('q', '|u1', (2,))]", "(2,)"), "\1\2\3\4\5\6"));
+  EXPECT_THAT(format_.columns(twice), ElementsAre("q[1]", "q[0]"));
+  EXPECT_THAT(format_.column(twice, "q[1]"), ElementsAre(1.0, 4.0));
+  EXPECT_THAT(FormatUnderTest::texts(format_.contents(twice).remarks),
+              ElementsAre("column `q[1]` occurs more than once; the first one is used"));
+}
+
 TEST_F(Numpy, ReadsFortranOrderOfThreeDimensions) {
   const std::string run = recorded_by_others("fortran.npy");
   EXPECT_THAT(format_.columns(run), ElementsAre("[0][0]", "[0][1]", "[1][0]", "[1][1]"));

@@ -273,6 +273,13 @@ TEST(Urdf, TakesTheDirectionOfAnAxisHoweverLongItIs) {
   EXPECT_TRUE(made.robot.joints.at(0).axis.isApprox(Eigen::Vector3d(0.0, -1.0, 1.0) / std::sqrt(2.0)));
 }
 
+TEST(Urdf, RefusesWhatIsTooLargeToComputeWith) {
+  EXPECT_THAT(only_problem(robot(link("base") + link("arm", kUrdfInertial) + link("tool", kUrdfInertial) +
+                                 joint("hinge", "continuous", "base", "arm") +
+                                 joint("mount", "fixed", "arm", "tool", "<origin xyz=\"0 1e308 0\"/>"))),
+              HasSubstr("position of arm is too large to compute with"));
+}
+
 TEST(Urdf, TakesNothingForANumberThatIsNone) {
   const std::string comma = "<inertial><mass value=\"1,5\"/></inertial>";
   EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is not a number"));

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -30,12 +31,25 @@ class ColumnNames {
     columns_.push_back({std::string(name), std::string(unit)});
     return true;
   }
+  /// As `add`, in a format that has each column only once: remembers a name that occurs again.
+  void add_single(std::string_view name) {
+    if (has(name)) repeated_.emplace(name);
+    add(name);
+  }
   bool has(std::string_view name) const { return known_.contains(std::string(name)); }
+  /// "column `q` occurs more than once; the first one is used"; empty where no name occurred again.
+  std::string repeated() const {
+    if (repeated_.empty()) return {};
+    const std::string others =
+        repeated_.size() == 1 ? "" : " (and " + std::to_string(repeated_.size() - 1) + " other names)";
+    return "column `" + *repeated_.begin() + "`" + others + " occurs more than once; the first one is used";
+  }
   std::size_t size() const { return columns_.size(); }
   std::vector<RecordedColumn> columns() const { return columns_; }
 
  private:
   std::unordered_set<std::string> known_;
+  std::set<std::string> repeated_;
   std::vector<RecordedColumn> columns_;
 };
 

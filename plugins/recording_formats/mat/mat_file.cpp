@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace lacuna::mat {
@@ -121,7 +122,9 @@ class RowsVisitor : public MatVisitor {
     std::size_t most = 0;
   };
 
+  /// Of a name that occurs again only the first is read.
   bool find_targets(const std::string& name, std::vector<Target>& targets) {
+    if (!seen_.insert(name).second) return false;
     for (std::size_t q = 0; q < queries_.size(); ++q)
       for (std::size_t c = 0; c < queries_[q].columns.size(); ++c)
         if (queries_[q].columns[c] == name) targets.push_back({&columns_[q][c], queries_[q].most_rows});
@@ -131,6 +134,7 @@ class RowsVisitor : public MatVisitor {
   std::uint64_t samples_;
   const std::vector<TableQuery>& queries_;
   std::vector<std::vector<NumberColumn>> columns_;
+  std::set<std::string> seen_;
   MatArray array_;
   Layout layout_;
   std::vector<std::vector<Target>> targets_;  ///< of each column of the array
@@ -144,13 +148,15 @@ RecordingContents contents_from(ContentsVisitor visitor) {
   for (const MatArray& array : visitor.arrays) {
     if (has_samples(array, samples)) {
       const Layout layout = Layout::of(array, samples);
-      for (std::uint64_t column = 0; column < layout.columns; ++column) names.add(column_name(array, layout, column));
+      for (std::uint64_t column = 0; column < layout.columns; ++column)
+        names.add_single(column_name(array, layout, column));
     } else if (length_of(array) > 1) {
       contents.remarks.push_back({0, "`" + array.path + "` is left out: it has " + std::to_string(array.rows) + " × " +
                                          std::to_string(array.columns) + " numbers, but the others have " +
                                          std::to_string(samples) + " samples"});
     }
   }
+  if (const std::string repeated = names.repeated(); !repeated.empty()) contents.remarks.push_back({0, repeated});
   if (names.size() > 0) contents.tables.push_back({"", names.columns(), ""});
   return contents;
 }

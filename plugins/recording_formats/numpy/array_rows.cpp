@@ -29,13 +29,14 @@ struct WantedField {
   NumberColumn* column = nullptr;
 };
 
-std::vector<WantedField> wanted_fields(const ArrayHeader& header, const std::string& name,
-                                       std::map<std::string, NumberColumn>& wanted) {
+std::vector<WantedField> wanted_fields(const ArrayHeader& header, const std::string& name, WantedColumns& wanted) {
   std::vector<WantedField> fields;
   for (std::size_t element = 0; element < header.row_elements(); ++element)
     for (const Field& field : header.fields) {
       const auto found = wanted.find(column_name(header, name, element, field));
-      if (found != wanted.end()) fields.push_back({element, &field, &found->second});
+      if (found == wanted.end() || found->second.is_found) continue;
+      found->second.is_found = true;
+      fields.push_back({element, &field, &found->second.numbers});
     }
   return fields;
 }
@@ -104,7 +105,7 @@ std::vector<std::string> columns_of(const ArrayHeader& header, const std::string
 }
 
 void read_rows(ByteStream& stream, const ArrayHeader& header, const std::string& name, std::size_t most_rows,
-               std::map<std::string, NumberColumn>& wanted) {
+               WantedColumns& wanted) {
   const std::vector<WantedField> fields = wanted_fields(header, name, wanted);
   if (fields.empty()) return;
   if (header.is_fortran_order && header.shape.size() > 1)

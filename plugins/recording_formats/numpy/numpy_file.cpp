@@ -132,8 +132,7 @@ void check_end(ByteStream& stream, const Array& array) {
     throw BadFile("is damaged: its checksum is wrong; copy the file again or write it anew");
 }
 
-void read_array(RandomFile& file, const Array& array, std::size_t most_rows,
-                std::map<std::string, NumberColumn>& wanted) {
+void read_array(RandomFile& file, const Array& array, std::size_t most_rows, WantedColumns& wanted) {
   const std::vector<std::string> columns = columns_of(array.header, array.name);
   if (std::none_of(columns.begin(), columns.end(), [&](const std::string& one) { return wanted.contains(one); }))
     return;
@@ -148,12 +147,12 @@ void read_array(RandomFile& file, const Array& array, std::size_t most_rows,
 }
 
 RecordedRows read_query(RandomFile& file, const std::vector<Array>& arrays, const TableQuery& query) {
-  std::map<std::string, NumberColumn> wanted;
-  for (const std::string& column : query.columns) wanted.emplace(column, NumberColumn());
+  WantedColumns wanted;
+  for (const std::string& column : query.columns) wanted.emplace(column, WantedColumn());
   for (const Array& array : arrays) read_array(file, array, query.most_rows, wanted);
   RecordedRows rows;
   for (const std::string& column : query.columns) {
-    NumberColumn& numbers = wanted.at(column);
+    NumberColumn& numbers = wanted.at(column).numbers;
     rows.origins.push_back(numbers.origin());
     rows.columns.push_back(numbers.take());
   }
@@ -170,7 +169,8 @@ RecordingContents contents_of(const std::string& path) {
     contents.remarks = std::move(opened.remarks);
     ColumnNames names;
     for (const Array& array : opened.arrays)
-      for (const std::string& column : columns_of(array.header, array.name)) names.add(column);
+      for (const std::string& column : columns_of(array.header, array.name)) names.add_single(column);
+    if (const std::string repeated = names.repeated(); !repeated.empty()) contents.remarks.push_back({0, repeated});
     if (names.size() > 0) contents.tables.push_back({"", names.columns(), ""});
   } catch (const BadFile& bad) {
     contents.problems.push_back({0, bad.what()});

@@ -122,6 +122,8 @@ class RobotMaker {
       parent = between;
     }
     robot_.bodies.push_back(body_of(body.name, masses_[index], world_[index]));
+    if (std::string reason = robot_files::why_too_large(robot_.bodies.back()); !reason.empty())
+      file_.problems->push_back({body.line, std::move(reason), body.file});
     add_joint(index, body.joints.back(), parent, body.name);
     if (body.joints.size() > 1) ++bodies_on_chains_;
   }

@@ -1,5 +1,7 @@
 #include "rigid_mass.h"
 
+#include <cmath>
+
 namespace lacuna::robot_files {
 
 Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& away) {
@@ -51,6 +53,14 @@ BodySpec body_of(const std::string& name, const RigidMass& mass, const Pose& pos
   body.position = pose.position;
   body.orientation = pose.orientation;
   return body;
+}
+
+std::string why_too_large(const BodySpec& body) {
+  const bool is_finite = std::isfinite(body.mass) && matrix_of(body.inertia).allFinite() && body.com.allFinite() &&
+                         body.position.allFinite() && body.orientation.coeffs().allFinite();
+  if (is_finite) return {};
+  return "the mass, inertia or position of " + body.name +
+         " is too large to compute with; check the exponents of its numbers and of those of the parts fixed to it";
 }
 
 }  // namespace lacuna::robot_files

@@ -42,4 +42,7 @@ Eigen::Matrix3d matrix_of(const InertiaSpec& inertia);
 /// A body with that mass, whose frame is at `pose` in the world.
 BodySpec body_of(const std::string& name, const RigidMass& mass, const Pose& pose);
 
+/// Why a body cannot be simulated: its numbers, or what was computed of them, are too large. Empty: it can.
+std::string why_too_large(const BodySpec& body);
+
 }  // namespace lacuna::robot_files

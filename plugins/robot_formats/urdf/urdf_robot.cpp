@@ -117,7 +117,7 @@ class RobotMaker {
 
   void float_root() {
     const std::string& name = file_.links[root()].name;
-    made_.robot.bodies.push_back(body_of(name, mass_of(root()), placed_[root()].pose));
+    put_body(root(), mass_of(root()), placed_[root()].pose);
     JointSpec joint;
     joint.name = name + "_free";
     joint.kind = JointKind::free;
@@ -143,8 +143,15 @@ class RobotMaker {
   void add_body(std::size_t link) {
     const Pose& pose = placed_[link].pose;
     const RigidMass mass = mass_of(link);
-    made_.robot.bodies.push_back(body_of(file_.links[link].name, mass, pose));
+    put_body(link, mass, pose);
     add_joint(link);
+  }
+
+  void put_body(std::size_t link, const RigidMass& mass, const Pose& pose) {
+    const Link& of = file_.links[link];
+    made_.robot.bodies.push_back(body_of(of.name, mass, pose));
+    if (std::string reason = robot_files::why_too_large(made_.robot.bodies.back()); !reason.empty())
+      problem(of.line, std::move(reason));
   }
 
   /// Total of all links that a joint moves together, in the frame of the first.
