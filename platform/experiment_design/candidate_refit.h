@@ -15,7 +15,7 @@ struct CandidatePrediction {
   Eigen::VectorXd moved = {};
 };
 
-/// What is left of the difference `truth` − `candidate` when the candidate is refitted, to first order, to so many
+/// Residual of the difference `truth` − `candidate` when the candidate is refitted, to first order, to so many
 /// trials of the test and the data so far. With d the difference, F the candidate's `follows`, m how far it has moved
 /// and s the step of the refit,
 ///

@@ -71,8 +71,8 @@ void add_report_command(CLI::App& program) {
       ->option_text("FILE");
   command
       ->add_option("--most-megabytes", options->megabytes,
-                   "Maximum size of the HTML file (default: 50); from a larger database it takes a selection, "
-                   "and the report says what is left out")
+                   "Maximum size of the HTML file (default: 50); of a larger database it shows a selection, "
+                   "which it describes")
       ->option_text("MB")
       ->check(CLI::Range(1.0, 2000.0));
   command->add_flag("--no-robots", options->no_robots, "Leave the page Replay without simulated robots");
