@@ -22,6 +22,7 @@ import {
   shots,
   source,
   startBrowser,
+  untilStored,
   upToDate,
 } from './support.mjs';
 import { pageModule } from './page_modules.mjs';
@@ -995,12 +996,12 @@ describe('the server', () => {
       await go(page, server.address, '#/run');
       assert.match(await page.textContent('.facts'), /1 of 1/);
     }
-    const words = ['--seed', '2', '--set', 'experiment.passes=20', '--quiet'];
+    const words = ['--seed', '2', '--set', 'experiment.passes=5', '--quiet'];
     const run = spawn(program, ['run', 'walk.toml', '--db', 'live.db', ...shortRun, ...words], { cwd: folder });
     const ended = new Promise((resolve) => run.on('exit', resolve));
     const isSeen = async (page) => /Run 2 .*running/.test(await page.textContent('.lead'));
     while (run.exitCode === null && !(await Promise.all(pages.map(isSeen))).every(Boolean)) {
-      await pause(100);
+      await untilStored(unseen);
       run.kill('SIGSTOP'); // or a fast machine has done it before it is told of
       await upToDate(server, unseen);
       run.kill('SIGCONT');
@@ -1009,7 +1010,7 @@ describe('the server', () => {
     assert.equal(await ended, 0);
     for (const page of pages) {
       await page.waitForFunction(() => /Run 2 .*done/.test(document.querySelector('.lead').textContent));
-      assert.match(await page.textContent('.facts'), /20 of 20/);
+      assert.match(await page.textContent('.facts'), /5 of 5/);
     }
     const watcher = await newPage(browser);
     await go(watcher, server.address, '#/replay?run=1&trial=0');

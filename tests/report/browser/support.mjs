@@ -120,6 +120,12 @@ async function stampOf({ address }) {
   return (await (await fetch(`${origin}/state`, { method: 'POST', headers, body: '{}' })).json()).stamp;
 }
 
+/** Waits until a program has stored something: `unseen` is a server without viewers, which tells at once. */
+export async function untilStored(unseen) {
+  const before = await stampOf(unseen);
+  while ((await stampOf(unseen)) === before) await pause(20);
+}
+
 /** Waits until the viewers of a server show the database as it is: it tells them of a change late, so that a run is not
  *  slowed, whereas one without viewers, `unseen`, tells at once. */
 export async function upToDate(server, unseen) {
