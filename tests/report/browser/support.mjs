@@ -5,6 +5,7 @@ import { copyFileSync, cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync,
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 
 const env = (name) => process.env[name] ?? '';
 export const program = env('LACUNA_PROGRAM');
@@ -23,6 +24,9 @@ process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
 mkdirSync(shots, { recursive: true });
 
 export const at = (name) => join(folder, name);
+export const url = (name) => pathToFileURL(at(name)).href;
+export const picture = (page, selector) => page.$eval(selector, (canvas) => canvas.toDataURL());
+export const shot = (page, name) => page.screenshot({ path: `${shots}/${name}.png`, fullPage: true });
 
 export function lacuna(...words) {
   return execFileSync(program, words, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
@@ -110,6 +114,19 @@ export async function serve(database, ...more) {
       child.kill('SIGINT');
     });
   return { address, stop, messages: () => err };
+}
+
+const servers = [];
+
+/** A server that `stopServers` ends. */
+export async function started(...words) {
+  const server = await serve(...words);
+  servers.push(server);
+  return server;
+}
+
+export async function stopServers() {
+  for (const server of servers) await server.stop();
 }
 
 export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
