@@ -1,9 +1,12 @@
-// The databases that most tests of the pages look at: a diagnosis, rig.db, and a quadruped's run, walk.db.
-import { copyExperiments, lacuna, shortRun } from './support.mjs';
+// What most tests of the pages look at: a diagnosis, rig.db, a quadruped's run, walk.db, a report of each, and a browser.
+import { after, before } from 'node:test';
+import { copyExperiments, lacuna, shortRun, startBrowser, stopServers } from './support.mjs';
+
+export let browser;
 
 const ensemble = ['--set', 'estimation.ensemble=3'];
 
-export function makeDatabases() {
+function makeDatabases() {
   copyExperiments();
   lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
   lacuna('add', 'first-steps.toml', 'coulomb_friction', '--where', 'joint.hinge', '--db', 'rig.db', '--quiet');
@@ -13,4 +16,16 @@ export function makeDatabases() {
   lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '2', ...shortRun, ...ensemble, '--quiet');
   lacuna('report', 'rig.db', '--out', 'rig.html', '--quiet');
   lacuna('report', 'walk.db', '--out', 'walk.html', '--quiet');
+}
+
+/** Makes them before the tests of a file, and ends the browser and the servers after these. */
+export function prepare() {
+  before(async () => {
+    makeDatabases();
+    browser = await startBrowser();
+  });
+  after(async () => {
+    await browser?.close();
+    await stopServers();
+  });
 }

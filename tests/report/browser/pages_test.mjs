@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, before, describe, it } from 'node:test';
 import { outOfReach, whatIsCut } from './layout.mjs';
-import { makeDatabases } from './databases.mjs';
+import { browser, prepare } from './databases.mjs';
 import {
   at,
   go,
@@ -12,23 +12,11 @@ import {
   noFaults,
   picture,
   shot,
-  startBrowser,
   started,
-  stopServers,
   url,
 } from './support.mjs';
 
-let browser;
-
-before(async () => {
-  makeDatabases();
-  browser = await startBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await stopServers();
-});
+prepare();
 
 describe('the setup of a trial', () => {
   it('stands above its curves and in the table of errors', async () => {
@@ -245,6 +233,7 @@ function pagesOf(way, open) {
       await page.waitForFunction(() => document.querySelector('.clock').textContent !== '0.50 s');
       await page.keyboard.press(' ');
       const clock = () => page.textContent('.clock');
+      const rewind = () => page.locator('input[type=range]').fill('0.5'); // at the end no key moves it further
       const moves = async (key) => {
         const before = await clock();
         await page.keyboard.press(key);
@@ -252,6 +241,8 @@ function pagesOf(way, open) {
       };
       await page.locator('button.primary').click();
       await page.locator('button.primary').click();
+      await rewind();
+      await page.locator('.figure-title').first().click();
       await moves('Shift+ArrowRight');
       await page.keyboard.press(',');
       assert.equal(await page.inputValue('.player select'), '0.5');
@@ -266,6 +257,7 @@ function pagesOf(way, open) {
       assert.equal(await page.inputValue('.finder .search'), 'a b.');
       assert.equal(await clock(), still);
       await page.keyboard.press('Escape');
+      await rewind();
       await page.locator('input[type=range]').focus();
       await moves('Shift+ArrowRight');
       await page.keyboard.press('6');

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe, it } from 'node:test';
-import { makeDatabases } from './databases.mjs';
+import { describe, it } from 'node:test';
+import { browser, prepare } from './databases.mjs';
 import {
   at,
   edit,
@@ -14,23 +14,11 @@ import {
   picture,
   shot,
   source,
-  startBrowser,
   started,
-  stopServers,
   url,
 } from './support.mjs';
 
-let browser;
-
-before(async () => {
-  makeDatabases();
-  browser = await startBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await stopServers();
-});
+prepare();
 
 describe('a report', () => {
   it('opens the newest diagnosis, whatever it found, with one probability', async () => {

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { copyFileSync, existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { after, before, describe, it } from 'node:test';
-import { makeDatabases } from './databases.mjs';
+import { describe, it } from 'node:test';
+import { browser, prepare } from './databases.mjs';
 import {
   at,
   folder,
@@ -16,25 +16,13 @@ import {
   program,
   serve,
   shortRun,
-  startBrowser,
   started,
-  stopServers,
   untilStored,
   upToDate,
   url,
 } from './support.mjs';
 
-let browser;
-
-before(async () => {
-  makeDatabases();
-  browser = await startBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await stopServers();
-});
+prepare();
 
 describe('the server', () => {
   it('answers only with its token, by its name, to its own pages, and reads only', async () => {
